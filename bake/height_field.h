@@ -1,0 +1,80 @@
+#pragma once
+// The door: a validated height field, and the depth plane that is stored for it.
+
+#include "bake/bit_depth.h"
+#include "bake/error.h"
+#include "bake/image.h"
+#include "bake/texel_grid.h"
+
+#include <optional>
+#include <string>
+
+namespace reliefbake {
+
+enum class WrapChoice { repeat, clamp, automatic };
+enum class NanPolicy { error, fill };
+enum class InputKind { height, depth };
+enum class RangeMode { format, data, fixed };
+
+struct HeightOptions {
+    InputKind input = InputKind::height;  ///< what white means: high, or deep (--input)
+    RangeMode range = RangeMode::format;  ///< `format`: integers are 0..1; floats must lie in 0..1, else an error
+                                          ///< that names --range. `data`: smallest..largest finite value. `fixed`:
+                                          ///< range_low..range_high, values outside are an error (--range)
+    float range_low = 0;                  ///< source value that becomes height 0
+    float range_high = 1;                 ///< source value that becomes height 1
+    NanPolicy nan = NanPolicy::error;     ///< what NaN, Inf and no-data values do (--nan)
+    std::optional<float> no_data;         ///< source value that means "no sample here" (file metadata, --no-data)
+    double scale = 1;                     ///< height' = scale * height + bias (001 sec. 2.2); must stay in 0..1
+    double bias = 0;
+    WrapChoice wrap_x = WrapChoice::automatic; ///< (--wrap)
+    WrapChoice wrap_y = WrapChoice::automatic;
+    double pixel_aspect = 1;              ///< height of a texel divided by its width
+};
+
+/// Heights in [0,1], 1 = top; finite; at least one texel. Only make_height_field makes one.
+class HeightField {
+  public:
+    const TexelGrid& grid() const { return grid_; }
+    const Image<float>& heights() const { return heights_; }
+
+  private:
+    friend class HeightFieldBuilder;
+    HeightField(TexelGrid grid, Image<float> heights) : grid_(grid), heights_(std::move(heights)) {}
+    TexelGrid grid_;
+    Image<float> heights_;
+};
+
+/// What the door saw and chose; printed with the result.
+struct HeightReport {
+    double source_low = 0, source_high = 0; ///< smallest and largest finite source value
+    double range_low = 0, range_high = 1;   ///< source values that became height 0 and 1
+    std::size_t bad_texels = 0;             ///< NaN, Inf or no-data, filled
+    double seam_x = 0, seam_y = 0;          ///< mean |first - last| over the mean neighbour difference; about 1 tiles
+};
+
+struct CheckedHeight {
+    HeightField field;
+    HeightReport report;
+};
+
+/// Validates a decoded source plane and maps it to heights. `name` is the file, for messages.
+/// Errors: NaN/Inf/no-data without NanPolicy::fill (count and first position), values outside the range.
+Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer, const HeightOptions& options,
+                                        const std::string& name);
+
+/// The depth plane as it is stored: what the shader will sample, and what every cone is baked for (MATHS: "bake
+/// from what is stored"). level = integer code for unorm, the depth itself for floating formats; both exact.
+struct DepthMap {
+    TexelGrid grid;
+    BitDepth bits = BitDepth::float32;
+    Image<float> level; ///< depth 0 (top) .. max_code(bits) (bottom), in code units
+
+    /// Depth in [0,1] of one stored level.
+    double depth(int x, int y) const { return double(level(x, y)) / max_code(bits); }
+};
+
+/// Depth = 1 - height, rounded to the nearest code of `bits`.
+DepthMap quantise_depth(const HeightField& field, BitDepth bits);
+
+} // namespace reliefbake

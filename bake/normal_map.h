@@ -1,0 +1,20 @@
+#pragma once
+// Tangent-space normals of the stored surface.
+
+#include "bake/height_field.h"
+#include "bake/image.h"
+
+namespace reliefbake {
+
+/// Unit normals; x along +u; y along *up the image* (OpenGL convention, "gl"); z = sqrt(1 - x^2 - y^2) > 0.
+struct NormalMap {
+    TexelGrid grid;
+    Image<float> x;
+    Image<float> y;
+};
+
+/// Central differences of the stored depth, wrap-aware. `depth_scale`: depth of the relief in texture widths; it fixes
+/// the slope (physical: depth / size).
+NormalMap bake_normals(const DepthMap& depth, double depth_scale);
+
+} // namespace reliefbake

@@ -1,0 +1,44 @@
+#pragma once
+// A baked map as it lies in a file: the four sampled channels and everything a shader must know to decode them.
+
+#include "bake/cone.h"
+#include "bake/image.h"
+#include "bake/texel_grid.h"
+
+#include <map>
+#include <string>
+
+namespace reliefbake {
+
+enum class NormalY { gl, dx };
+enum class ChannelLayout { rgba, named }; ///< RGBA, or EXR channels relief.nx, relief.ny, relief.cone, relief.depth
+
+/// The meaning of a map; stored as metadata, printed by `explain`. Keys of `explain --json` are these names.
+struct ReliefMapInfo {
+    std::string kind = "cone";
+    Metric metric = Metric::l2;
+    ConeEncoding encoding = ConeEncoding::sqrt;
+    BitDepth bits = BitDepth::unorm8;
+    SurfaceModel surface = SurfaceModel::bilinear;
+    ChannelLayout layout = ChannelLayout::rgba;
+    NormalY normal_y = NormalY::gl;
+    float cone_max = 1;         ///< ratio that the largest code stands for (ratio, sqrt); cap of the bake
+    double depth_scale = 0.1;   ///< depth of the relief in texture widths
+    double filter_delta = 0;    ///< largest height error of a sampler with 8-bit weights; the march subtracts it
+    double tolerance = 0;       ///< relative tolerance of the bake
+    std::string guarantee;      ///< "C" when the cones are conservative for `surface`, else empty
+    std::string version;        ///< of reliefbake
+    std::string source_hash;    ///< XXH3-128 of the decoded source plane (16 bytes, hex)
+    std::string argument_hash;  ///< XXH3-128 of the options that fix the result
+    std::map<std::string, double> statistics; ///< zero_codes, ratio_mean, depth_min, depth_max ...
+};
+
+/// Channels hold what a sampler returns: unorm code / max_code, or the half/float value.
+/// Normals: unorm stores 0.5 n + 0.5, floating formats n itself.
+struct ReliefMap {
+    ReliefMapInfo info;
+    TexelGrid grid;
+    Image<float> normal_x, normal_y, cone, depth;
+};
+
+} // namespace reliefbake
