@@ -1,0 +1,29 @@
+#pragma once
+// The tool that proves a cone wrong: the steepest straight line from a surface point up to the surface, along one
+// horizontal direction.
+
+#include "shaders-reference/oracle/bilinear_surface.h"
+
+namespace reliefbake {
+
+/// A horizontal direction in the isotropic metric of MATHS section 1: (x, y) has length 1, (du, dv) = (x, y / R).
+struct Heading {
+    double x, y;
+
+    static Heading from_angle(double radians);
+    /// Towards (u, v) + (du, dv); the two must not both be 0.
+    static Heading along(const TexelGrid& grid, double du, double dv);
+};
+
+struct Constraint {
+    double slope = 0;    ///< height per texture width; 0 when nothing on the line is higher
+    double distance = 0; ///< where it is attained, texture widths; 0: the limit towards the point (a gradient)
+};
+
+/// sup over 0 < s <= max_distance of (H(p + s heading) - H(p)) / s, and at least 0; p = (u, v). A conservative cone at p has
+/// ratio <= 1 / slope. Exact per crossed cell:
+///
+///     (a + b s + c s^2) / s  on [s0, s1]  is greatest at s0, at s1, or, for a < 0 and c < 0, at sqrt(a/c)
+Constraint cone_constraint(const BilinearSurface& surface, double u, double v, const Heading& heading, double max_distance);
+
+} // namespace reliefbake
