@@ -14,13 +14,15 @@ namespace reliefbake {
 enum class WrapChoice { repeat, clamp, automatic };
 enum class NanPolicy { error, fill };
 enum class InputKind { height, depth };
-enum class RangeMode { format, data, fixed };
+enum class RangeMode { automatic, data, fixed };
 
 struct HeightOptions {
     InputKind input = InputKind::height;  ///< what white means: high, or deep (--input)
-    RangeMode range = RangeMode::format;  ///< `format`: integers are 0..1; floats must lie in 0..1, else an error
-                                          ///< that names --range. `data`: smallest..largest finite value. `fixed`:
-                                          ///< range_low..range_high, values outside are an error (--range)
+    RangeMode range = RangeMode::automatic; ///< which source values become height 0 and 1 (--range).
+                                          ///< `automatic`: integers by their format; floats as they are if all lie in
+                                          ///< 0..1, else as `data`. `data`: smallest..largest finite value; a flat
+                                          ///< source becomes height 1. `fixed`: range_low..range_high, and a value
+                                          ///< outside is an error
     float range_low = 0;                  ///< source value that becomes height 0
     float range_high = 1;                 ///< source value that becomes height 1
     NanPolicy nan = NanPolicy::error;     ///< what NaN, Inf and no-data values do (--nan)
@@ -49,6 +51,7 @@ class HeightField {
 struct HeightReport {
     double source_low = 0, source_high = 0; ///< smallest and largest finite source value
     double range_low = 0, range_high = 1;   ///< source values that became height 0 and 1
+    bool range_from_data = false;           ///< they are source_low and source_high
     std::size_t bad_texels = 0;             ///< NaN, Inf or no-data, filled
     double seam_x = 0, seam_y = 0;          ///< mean |first - last| over the mean neighbour difference; about 1 tiles
 };
@@ -59,7 +62,9 @@ struct CheckedHeight {
 };
 
 /// Validates a decoded source plane and maps it to heights. `name` is the file, for messages.
-/// Errors: NaN/Inf/no-data without NanPolicy::fill (count and first position), values outside the range.
+/// Errors: bad_data: NaN/Inf/no-data without NanPolicy::fill (count and first position) or nowhere a valid value; values
+/// outside a fixed range; scale and bias that leave 0..1. usage: options outside their ranges.
+/// Guarantee: an integer source of 8 or 16 bits comes back code for code from quantise_depth at its own depth.
 Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer, const HeightOptions& options,
                                         const std::string& name);
 

@@ -1,0 +1,55 @@
+#include "cli/argument_hash.h"
+
+#include "cli/choices.h"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <charconv>
+
+namespace reliefbake {
+
+namespace {
+
+/// The shortest digits that read back as the same number, in every locale.
+std::string digits(double number) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+std::string source_text(const ConeCommandOptions& o) {
+    const HeightOptions& h = o.height;
+    std::string text = "channel=" + o.read.channel + "\ninput=" + word_of(input_words, h.input);
+    text += "\nrange=" + std::to_string(int(h.range));
+    if (h.range == RangeMode::fixed) text += ":" + digits(h.range_low) + ":" + digits(h.range_high);
+    text += "\nnan=" + word_of(nan_words, h.nan);
+    if (h.no_data) text += "\nno-data=" + digits(*h.no_data);
+    text += "\nscale=" + digits(h.scale) + "\nbias=" + digits(h.bias);
+    text += "\nwrap=" + std::to_string(int(h.wrap_x)) + "," + std::to_string(int(h.wrap_y));
+    return text + "\npixel-aspect=" + digits(h.pixel_aspect);
+}
+
+std::string result_text(const ConePlan& plan) {
+    std::string text = "\nsurface=" + word_of(surface_words, plan.cone.surface);
+    text += "\nmetric=" + word_of(metric_words, plan.cone.metric);
+    text += "\ntolerance=" + digits(plan.cone.tolerance) + "\ncone-max=" + digits(plan.cone.ratio_max);
+    text += "\ndepth-uv=" + digits(plan.depth_scale) + "\nbits=" + word_of(bits_words, plan.bits);
+    text += "\nencoding=" + word_of(encoding_words, plan.given.encoding);
+    text += "\nnormal-y=" + word_of(normal_y_words, plan.given.normal_y);
+    return text + "\nlayout=" + word_of(layout_words, plan.layout) + "\n";
+}
+
+} // namespace
+
+std::string argument_hash(const ConePlan& plan) {
+    const std::string text = "cone\n" + source_text(plan.given) + result_text(plan);
+    XXH128_canonical_t canonical;
+    XXH128_canonicalFromHash(&canonical, XXH3_128bits(text.data(), text.size()));
+    std::string hex;
+    for (const unsigned char byte : canonical.digest)
+        for (const int nibble : {byte >> 4, byte & 15})
+            hex += "0123456789abcdef"[nibble];
+    return hex;
+}
+
+} // namespace reliefbake

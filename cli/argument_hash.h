@@ -1,0 +1,15 @@
+#pragma once
+// One number for the options that fix a result.
+
+#include "cli/cone_options.h"
+
+#include <string>
+
+namespace reliefbake {
+
+/// XXH3-128, as 32 hex digits, of the canonical text of every option that can change a byte of the map. File
+/// names, threads and what is printed are not part of it; an option given its default value is the option not
+/// given.
+std::string argument_hash(const ConePlan& plan);
+
+} // namespace reliefbake

@@ -1,0 +1,18 @@
+#pragma once
+// reliefbake cone IN -o OUT
+
+#include "cli/command.h"
+#include "cli/cone_options.h"
+
+namespace reliefbake {
+
+class ConeCommand : public Command {
+  public:
+    void add_to(CLI::App& app) override;
+    Result<void> run() override;
+
+  private:
+    ConeCommandOptions options_;
+};
+
+} // namespace reliefbake

@@ -1,0 +1,70 @@
+#pragma once
+// Options that take one word of a fixed set, and the words themselves.
+
+#include "bake/cone.h"
+#include "bake/relief_map.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace reliefbake {
+
+template <class T>
+using Words = std::vector<std::pair<std::string, T>>;
+
+inline const Words<Metric> metric_words = {{"l2", Metric::l2}, {"l1", Metric::l1}};
+inline const Words<SurfaceModel> surface_words = {{"bilinear", SurfaceModel::bilinear},
+                                                  {"texel", SurfaceModel::texel}};
+inline const Words<ConeEncoding> encoding_words = {{"ratio", ConeEncoding::ratio},
+                                                   {"sqrt", ConeEncoding::sqrt},
+                                                   {"radius", ConeEncoding::radius},
+                                                   {"normal", ConeEncoding::normal}};
+inline const Words<BitDepth> bits_words = {{"8", BitDepth::unorm8},
+                                           {"16", BitDepth::unorm16},
+                                           {"half", BitDepth::half},
+                                           {"float", BitDepth::float32}};
+inline const Words<NormalY> normal_y_words = {{"gl", NormalY::gl}, {"dx", NormalY::dx}};
+inline const Words<ChannelLayout> layout_words = {{"rgba", ChannelLayout::rgba},
+                                                  {"named", ChannelLayout::named}};
+inline const Words<InputKind> input_words = {{"height", InputKind::height}, {"depth", InputKind::depth}};
+inline const Words<NanPolicy> nan_words = {{"error", NanPolicy::error}, {"fill", NanPolicy::fill}};
+
+/// The word for a value; `words` must hold it.
+template <class T>
+const std::string& word_of(const Words<T>& words, T value) {
+    for (const auto& [word, meaning] : words)
+        if (meaning == value) return word;
+    std::abort();
+}
+
+/// "a|b|c", for help and messages.
+template <class T>
+std::string alternatives(const Words<T>& words) {
+    std::string text;
+    for (const auto& [word, meaning] : words)
+        text += (text.empty() ? "" : "|") + word;
+    return text;
+}
+
+/// Adds an option that takes one of `words`; anything else is refused with the list. `target`: a T or
+/// optional<T>.
+template <class T, class Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& flag, Target& target, const Words<T>& words,
+                        const std::string& help) {
+    auto assign = [flag, &target, &words](const std::string& given) {
+        for (const auto& [word, meaning] : words) {
+            if (word != given) continue;
+            target = meaning;
+            return;
+        }
+        throw CLI::ValidationError(flag, "expected " + alternatives(words) + ", found '" + given + "'");
+    };
+    return app.add_option_function<std::string>(flag, assign, help)->type_name(alternatives(words));
+}
+
+} // namespace reliefbake

@@ -1,0 +1,47 @@
+#include "cli/map_hint_options.h"
+
+#include "cli/choices.h"
+#include "cli/number_options.h"
+#include "cli/wrap_option.h"
+
+namespace reliefbake {
+
+namespace {
+
+/// Four letters of R, G, B, A or '-', no channel twice.
+std::string check_channel_order(const std::string& order) {
+    bool ok = order.size() == 4;
+    for (std::size_t i = 0; ok && i < order.size(); ++i) {
+        ok = std::string("RGBA-").find(order[i]) != std::string::npos;
+        ok = ok && (order[i] == '-' || order.find(order[i], i + 1) == std::string::npos);
+    }
+    if (ok) return "";
+    return "expected four letters of R, G, B, A or '-' for normal x, normal y, cone, depth, each channel "
+           "once; found '" +
+           order + "'";
+}
+
+} // namespace
+
+void add_map_hints(CLI::App& app, MapHints& hints) {
+    const std::string group = "What the file does not say (wins over its metadata)";
+    CLI::App* flags = app.add_option_group(group);
+    add_choice(*flags, "--encoding", hints.encoding, encoding_words, "Encoding of the cone channel");
+    add_choice(*flags, "--metric", hints.metric, metric_words, "Metric the cones were baked in");
+    add_choice(*flags, "--surface", hints.surface, surface_words, "Surface the cones were baked for");
+    add_wrap_hint(*flags, hints.wrap_x, hints.wrap_y);
+    add_number(*flags, "--cone-max", hints.cone_max, positive_or_inf,
+               "Ratio that the largest code stands for");
+    add_choice(*flags, "--normal-y", hints.normal_y, normal_y_words, "Direction of the normals' y");
+    add_number(*flags, "--depth-uv", hints.depth_scale, positive_number,
+               "Depth of the relief in texture widths");
+    flags
+        ->add_option("--channel-order", hints.channel_order,
+                     "File channels of normal x, normal y, cone, depth, e.g. RGBA or --BA ('-': absent)")
+        ->check(check_channel_order)
+        ->type_name("LETTERS");
+    flags->add_flag("--alpha-is-height", hints.alpha_is_height, "The depth channel holds height");
+    add_byte_budget(*flags, hints.max_bytes);
+}
+
+} // namespace reliefbake

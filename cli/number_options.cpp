@@ -1,0 +1,36 @@
+#include "cli/number_options.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace reliefbake {
+
+const NumberRule finite_number = {[](double x) { return std::isfinite(x); }, "a number"};
+const NumberRule positive_number = {[](double x) { return std::isfinite(x) && x > 0; },
+                                    "a number greater than 0"};
+const NumberRule positive_or_inf = {[](double x) { return x > 0; }, "a number greater than 0, or inf"};
+const NumberRule fraction_number = {[](double x) { return x >= 0 && x <= 1; }, "a number from 0 to 1"};
+
+std::optional<double> parse_number(const std::string& text) {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || rest != end) return std::nullopt;
+    return number;
+}
+
+double require_number(const std::string& flag, const std::string& text, const NumberRule& rule) {
+    const std::optional<double> number = parse_number(text);
+    if (number && rule.holds(*number)) return *number;
+    throw CLI::ValidationError(flag, std::string("expected ") + rule.expected + ", found '" + text + "'");
+}
+
+void add_byte_budget(CLI::App& app, std::uint64_t& bytes) {
+    app.add_option("--max-bytes", bytes,
+                   "Budget for the decoded image, e.g. 4GB (default 1 GiB, and 1000 times the file's size "
+                   "above 64 MiB)")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("BYTES");
+}
+
+} // namespace reliefbake

@@ -1,0 +1,73 @@
+#include "cli/cone_options.h"
+
+#include "cli/argument_hash.h"
+#include "cli/thread_option.h"
+#include "formats/map_file.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace reliefbake {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension_of(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return extension;
+}
+
+/// The deepest codes that every program can read back from the format.
+BitDepth default_bits(const std::string& output) {
+    const std::string extension = extension_of(output);
+    if (extension == ".exr") return BitDepth::float32;
+    return extension == ".tga" ? BitDepth::unorm8 : BitDepth::unorm16;
+}
+
+Result<void> validate_output(const ConeCommandOptions& options) {
+    std::error_code ignored;
+    if (fs::equivalent(options.input, options.output, ignored))
+        return fail(ErrorCode::usage, options.output + ": the output is the input file; choose another name");
+    if (options.layout && extension_of(options.output) != ".exr")
+        return fail(ErrorCode::usage, "--exr-layout: needs an .exr output, found '" + options.output + "'");
+    return {};
+}
+
+/// An unbounded cone has a finite code only as a normal, or as a radius beyond 1 in floats.
+Result<void> validate_cone_max(const ConeCommandOptions& options, BitDepth bits) {
+    const bool unbounded_codes = options.encoding == ConeEncoding::normal ||
+                                 (options.encoding == ConeEncoding::radius && !is_unorm(bits));
+    if (std::isfinite(options.cone.ratio_max) || unbounded_codes) return {};
+    return fail(ErrorCode::usage,
+                "--cone-max inf: needs --encoding normal, or --encoding radius with --bits half|float");
+}
+
+double depth_scale_of(const ConeCommandOptions& options) {
+    if (options.size_metres) return *options.depth_metres / *options.size_metres;
+    return options.depth_uv.value_or(ReliefMapInfo().depth_scale);
+}
+
+} // namespace
+
+Result<ConePlan> plan_cone(const ConeCommandOptions& options) {
+    ConePlan plan;
+    plan.given = options;
+    plan.bits = options.bits.value_or(default_bits(options.output));
+    plan.layout = options.layout.value_or(ChannelLayout::rgba);
+    plan.depth_scale = depth_scale_of(options);
+    plan.cone = options.cone;
+    return validate_output(options)
+        .and_then([&] { return check_map_format(options.output, plan.bits, plan.layout); })
+        .and_then([&] { return validate_cone_max(options, plan.bits); })
+        .and_then([&] { return resolve_threads(options.cone.threads); })
+        .map([&](int threads) {
+            plan.cone.threads = threads;
+            plan.argument_hash = argument_hash(plan);
+            return plan;
+        });
+}
+
+} // namespace reliefbake

@@ -1,0 +1,97 @@
+#include "cli/run.h"
+
+#include "cli/command.h"
+#include "cli/version.h"
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string_view>
+#include <vector>
+
+namespace reliefbake {
+
+namespace {
+
+/// A command whose options are declared, waiting to be chosen.
+struct Declared {
+    CLI::App* app;
+    std::string path;
+    std::unique_ptr<Command> command;
+};
+
+CLI::App* find_or_add_group(CLI::App& parent, const std::string& name) {
+    const auto same_name = [&](const CLI::App* app) { return app->get_name() == name; };
+    const std::vector<CLI::App*> groups = parent.get_subcommands(same_name);
+    if (!groups.empty()) return groups.front();
+    CLI::App* group = parent.add_subcommand(name, name + " commands");
+    group->require_subcommand(1);
+    return group;
+}
+
+Declared declare(CLI::App& root, const CommandEntry& entry) {
+    const std::string path = entry.path;
+    const std::size_t space = path.find(' ');
+    CLI::App* parent = &root;
+    if (space != std::string::npos) parent = find_or_add_group(root, path.substr(0, space));
+    CLI::App* app = parent->add_subcommand(path.substr(space + 1), entry.summary);
+    std::unique_ptr<Command> command = entry.make();
+    command->add_to(*app);
+    return {app, path, std::move(command)};
+}
+
+int report(const std::string& path, const Error& error) {
+    std::fprintf(stderr, "reliefbake %s: %s\n", path.c_str(), error.message.c_str());
+    return int(error.code);
+}
+
+/// A script that reads stdout must learn that it got less than everything.
+Result<void> flush_output() {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return {};
+    return fail(ErrorCode::write_failed, "cannot write to standard output");
+}
+
+int run_chosen(std::vector<Declared>& declared) {
+    for (Declared& candidate : declared) {
+        if (!candidate.app->parsed()) continue;
+        Result<void> result = candidate.command->run().and_then(flush_output);
+        return result ? 0 : report(candidate.path, result.error());
+    }
+    return int(ErrorCode::usage);
+}
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App root(
+        "Offline baking for relief rendering.\n"
+        "Exit status: 0 done, 1 internal fault, 2 usage, 4 verification failed, 5 over budget, 65 bad input\n"
+        "data, 66 no such input, 73/74 cannot write, 130/143 interrupted.",
+        "reliefbake");
+    root.set_version_flag("--version", std::string("reliefbake ") + version());
+    root.require_subcommand(1);
+    std::vector<Declared> declared;
+    for (const CommandEntry& entry : commands())
+        declared.push_back(declare(root, entry));
+    try {
+        root.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return root.exit(error) == 0 ? 0 : int(ErrorCode::usage);
+    }
+    return run_chosen(declared);
+}
+
+} // namespace
+
+int run_command_line(int argc, char** argv) noexcept {
+    try {
+        return parse_and_run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fputs("reliefbake: out of memory\n", stderr);
+        return int(ErrorCode::budget);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "reliefbake: internal fault: %s\n", error.what());
+        return int(ErrorCode::internal);
+    }
+}
+
+} // namespace reliefbake

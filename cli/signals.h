@@ -1,0 +1,9 @@
+#pragma once
+// Interruption: nothing half-written stays behind.
+
+namespace reliefbake {
+
+/// On SIGINT and SIGTERM: removes the temporaries of writes in progress and exits 130 or 143.
+void leave_no_temporaries_when_interrupted() noexcept;
+
+} // namespace reliefbake
