@@ -1,0 +1,148 @@
+#include "formats/atomic_file.h"
+
+#include "formats/unique_fd.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <cstring>
+#include <semaphore>
+#include <string>
+#include <system_error>
+
+namespace reliefbake {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Names of temporaries that exist, where a signal handler can read them: no locks, no allocation.
+constexpr int max_writers = 64;
+struct Slot {
+    std::atomic<bool> taken{false};
+    std::atomic<bool> armed{false};
+    char path[PATH_MAX] = {};
+};
+Slot slots[max_writers];
+std::counting_semaphore<max_writers> free_slots(max_writers);
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// Keeps one temporary's name known to remove_temporaries_on_signal, and removes the file unless it was renamed.
+class Temporary {
+  public:
+    Temporary() {
+        free_slots.acquire();
+        for (Slot& slot : slots)
+            if (!slot.taken.exchange(true)) {
+                slot_ = &slot;
+                return;
+            }
+    }
+    ~Temporary() {
+        if (slot_->armed.exchange(false)) ::unlink(slot_->path);
+        slot_->taken = false;
+        free_slots.release();
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    const char* path() const { return slot_->path; }
+    void release() { slot_->armed = false; }
+
+    /// Creates `directory`/.reliefbake-PID-N.tmp; the name is registered first, so that a signal finds it.
+    UniqueFd create(const fs::path& directory) {
+        static std::atomic<unsigned> counter{0};
+        for (int attempt = 0; attempt < 100; ++attempt) {
+            const std::string name = ".reliefbake-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+            const std::string path = (directory / name).string();
+            if (path.size() >= sizeof slot_->path) {
+                errno = ENAMETOOLONG;
+                return UniqueFd();
+            }
+            std::memcpy(slot_->path, path.c_str(), path.size() + 1);
+            slot_->armed = true;
+            UniqueFd fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            if (fd) return fd;
+            slot_->armed = false;
+            if (errno != EEXIST) break;
+        }
+        return UniqueFd();
+    }
+
+  private:
+    Slot* slot_ = nullptr;
+};
+
+tl::unexpected<Error> system_error(ErrorCode code, const fs::path& path, const char* action, int error) {
+    return fail(code, path.string() + ": " + action + ": " + std::generic_category().message(error));
+}
+
+bool write_all(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd, bytes.data(), std::min<std::size_t>(bytes.size(), 1u << 30));
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes = bytes.subspan(std::size_t(written));
+    }
+    return true;
+}
+
+/// A rename is durable once its directory is on the disk. Some file systems cannot sync directories: EINVAL.
+bool sync_directory(const fs::path& directory) {
+    UniqueFd fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!fd) return errno == EACCES; // writable but not readable: nothing more can be done
+    return ::fsync(fd.get()) == 0 || errno == EINVAL;
+}
+
+/// The file behind a symbolic link, so that the link survives; refuses what rename would destroy.
+Result<fs::path> target_of(const fs::path& path) {
+    std::error_code error;
+    fs::path target = path;
+    if (fs::is_symlink(path, error)) target = fs::weakly_canonical(path, error);
+    if (error) return system_error(ErrorCode::cannot_create, path, "cannot create", error.value());
+    const fs::file_status status = fs::status(target, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        return fail(ErrorCode::cannot_create, path.string() + ": cannot create: there is something here that is not a file");
+    return target;
+}
+
+} // namespace
+
+Result<void> write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+    const Result<fs::path> target = target_of(path);
+    if (!target) return tl::unexpected(target.error());
+    const fs::path directory = target->has_parent_path() ? target->parent_path() : fs::path(".");
+
+    // Create the temporary beside its final name: rename works within one file system only.
+    Temporary temporary;
+    UniqueFd fd = temporary.create(directory);
+    if (!fd) {
+        const bool full = errno == ENOSPC || errno == EDQUOT;
+        return system_error(full ? ErrorCode::write_failed : ErrorCode::cannot_create, path, "cannot create", errno);
+    }
+
+    // Write, and believe nothing before the disk says so.
+    if (!write_all(fd.get(), bytes) || ::fsync(fd.get()) != 0 || !fd.reset())
+        return system_error(ErrorCode::write_failed, path, "writing stopped half-way, nothing was left behind", errno);
+
+    // Publish.
+    if (::rename(temporary.path(), target->c_str()) != 0)
+        return system_error(ErrorCode::write_failed, path, "cannot rename the finished temporary", errno);
+    temporary.release();
+    if (!sync_directory(directory))
+        return system_error(ErrorCode::write_failed, path, "written, but its directory cannot be synchronised", errno);
+    return {};
+}
+
+void remove_temporaries_on_signal() noexcept {
+    const int saved_errno = errno;
+    for (Slot& slot : slots)
+        if (slot.armed) ::unlink(slot.path);
+    errno = saved_errno;
+}
+
+} // namespace reliefbake

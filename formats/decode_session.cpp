@@ -1,0 +1,107 @@
+#include "formats/decode_session.h"
+
+#include "formats/claims_json.h"
+#include "formats/header_facts.h"
+#include "formats/shared_memory.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+namespace reliefbake {
+
+namespace {
+
+/// Libraries' scratch memory beside the pixels: line buffers, zlib, one EXR chunk.
+constexpr std::uint64_t scratch_memory = 160ull << 20;
+
+/// Processor time for decoding: a slow codec delivers 16 MiB of samples a second, and a second to get going.
+int decode_seconds(std::uint64_t bytes) { return int(2 + bytes / (16ull << 20)); }
+
+struct InputFile {
+    UniqueFd fd;
+    std::uint64_t bytes;
+};
+
+Result<InputFile> open_input(const std::filesystem::path& path) {
+    // O_NONBLOCK: opening a FIFO must not wait for a writer.
+    UniqueFd fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status {};
+    if (!fd || ::fstat(fd.get(), &status) != 0)
+        return fail(ErrorCode::no_input, path.string() + ": cannot open: " + std::generic_category().message(errno));
+    if (!S_ISREG(status.st_mode)) return fail(ErrorCode::no_input, path.string() + ": is not a regular file");
+    return InputFile{std::move(fd), std::uint64_t(status.st_size)};
+}
+
+Result<ImageFormat> format_of(const InputFile& file, const std::filesystem::path& path) {
+    std::array<std::byte, 18> head;
+    const ssize_t size = ::pread(file.fd.get(), head.data(), head.size(), 0);
+    if (size < 0) return fail(ErrorCode::no_input, path.string() + ": cannot read: " + std::generic_category().message(errno));
+    if (size == 0) return fail(ErrorCode::bad_data, path.string() + ": is empty");
+    if (const auto format = sniff_format(std::span(head).first(std::size_t(size)), path)) return *format;
+    return fail(ErrorCode::bad_data, path.string() + ": is none of " + std::string(accepted_formats));
+}
+
+} // namespace
+
+Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes) {
+    const Result<InputFile> file = open_input(path);
+    if (!file) return tl::unexpected(file.error());
+    const Result<ImageFormat> format = format_of(*file, path);
+    if (!format) return tl::unexpected(format.error());
+
+    DecodeSession session;
+    session.name_ = path.string();
+    session.format_ = *format;
+    const std::uint64_t allowed = decode_budget(file->bytes, max_bytes);
+    // Twice: a progressive JPEG keeps 16-bit coefficients, an interlaced PNG its rows, and the reader's copy.
+    session.memory_ = scratch_memory + (allowed > (1ull << 60) ? allowed : 2 * allowed);
+
+    ImageWorker& worker = ImageWorker::instance();
+    session.lock_ = worker.lock();
+    const Result<Message> answer =
+        worker.ask({{"do", "open"}, {"reader", reader_name(*format)}}, file->fd.get(),
+                   {decode_seconds(*format == ImageFormat::jpeg ? allowed : 0), session.memory_}, ImageWorker::Turn::first,
+                   ErrorCode::bad_data, session.name_);
+    if (!answer) return tl::unexpected(answer.error());
+    auto claims = claims_from_json(answer->body);
+    if (!claims) return fail(ErrorCode::bad_data, session.name_ + ": the image helper's answer makes no sense");
+    session.claims_ = std::move(*claims);
+    if (*format == ImageFormat::png && png_has_srgb_chunk(file->fd.get())) session.claims_.srgb_tagged = true;
+
+    if (Result<void> checked = check_claims(session.claims_, file->bytes, max_bytes, planes, session.name_); !checked)
+        return tl::unexpected(checked.error());
+    return session;
+}
+
+Result<void> DecodeSession::read(std::span<const int> channels, const TakeRows& take) {
+    ImageWorker& worker = ImageWorker::instance();
+    const ImageWorker::Limits limits{decode_seconds(decoded_bytes(claims_)), memory_};
+    const auto ask = [&](nlohmann::json request) {
+        return worker.ask(std::move(request), -1, limits, ImageWorker::Turn::later, ErrorCode::bad_data, name_);
+    };
+    const auto nonsense = [&] { return fail(ErrorCode::bad_data, name_ + ": the image helper's answer makes no sense"); };
+
+    // Agree on the block.
+    Result<Message> answer = ask({{"do", "read"}, {"channels", std::vector<int>(channels.begin(), channels.end())}});
+    if (!answer) return tl::unexpected(answer.error());
+    const std::uint64_t row_bytes = std::uint64_t(claims_.width) * channels.size() * sizeof(float);
+    const auto block = SharedMemory::adopt(std::move(answer->fd), unsigned_member(answer->body, "bytes"));
+    if (!block) return nonsense();
+
+    // Take block after block.
+    for (std::int64_t y = 0; y < claims_.height;) {
+        answer = ask({{"do", "next"}});
+        if (!answer) return tl::unexpected(answer.error());
+        const std::uint64_t rows = unsigned_member(answer->body, "rows");
+        if (rows < 1 || rows > std::uint64_t(claims_.height - y) || rows * row_bytes > block->bytes().size()) return nonsense();
+        take(int(y), int(rows), reinterpret_cast<const float*>(block->bytes().data()));
+        y += std::int64_t(rows);
+    }
+    return {};
+}
+
+} // namespace reliefbake

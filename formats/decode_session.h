@@ -1,0 +1,43 @@
+#pragma once
+// One image file on its way through the helper process: open, look at the claims, then take float rows.
+
+#include "bake/error.h"
+#include "formats/image_gate.h"
+#include "formats/image_worker.h"
+#include "formats/sniff.h"
+
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <span>
+#include <string>
+
+namespace reliefbake {
+
+class DecodeSession {
+  public:
+    /// Opens `path` in the worker and passes its header through check_claims (for `planes` float planes kept by the
+    /// caller). Holds the worker until it is destroyed. Errors: no_input, bad_data, internal.
+    static Result<DecodeSession> open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes);
+
+    const ImageClaims& claims() const { return claims_; }
+    ImageFormat format() const { return format_; }
+
+    /// Receives rows [y, y + rows) of the channels asked for, interleaved.
+    using TakeRows = std::function<void(int y, int rows, const float* samples)>;
+
+    /// Decodes `channels` (indices into claims().channels) from top to bottom; integers as value / largest value,
+    /// floats as stored. Memory here: one block of about 4 MiB. Once per session. Errors: bad_data.
+    Result<void> read(std::span<const int> channels, const TakeRows& take);
+
+  private:
+    DecodeSession() = default;
+
+    std::string name_;
+    ImageFormat format_{};
+    ImageClaims claims_;
+    std::uint64_t memory_ = 0;
+    std::unique_lock<std::mutex> lock_;
+};
+
+} // namespace reliefbake

@@ -1,0 +1,25 @@
+#include "formats/header_facts.h"
+
+#include <cstdint>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace reliefbake {
+
+bool png_has_srgb_chunk(int fd) {
+    // A chunk: length (big-endian), type, `length` bytes, CRC. Files have a dozen; the limit stops endless ones.
+    constexpr int chunks_looked_at = 256;
+    std::int64_t at = 8;
+    for (int i = 0; i < chunks_looked_at; ++i) {
+        unsigned char head[8];
+        if (::pread(fd, head, sizeof head, at) != sizeof head) return false;
+        if (std::memcmp(head + 4, "sRGB", 4) == 0) return true;
+        if (std::memcmp(head + 4, "IDAT", 4) == 0) return false;
+        const std::uint32_t length = std::uint32_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3];
+        at += 12 + std::int64_t(length);
+    }
+    return false;
+}
+
+} // namespace reliefbake

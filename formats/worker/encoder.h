@@ -1,0 +1,16 @@
+#pragma once
+// Encoding with OpenImageIO, to memory.
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace reliefbake::worker {
+
+/// Encodes interleaved `pixels` as `request` (image_worker.h, encode) says. Throws Refusal. To memory, because on a full
+/// disk OpenImageIO 2.4 reports success for PNG, TGA and BMP.
+std::vector<unsigned char> encode(const nlohmann::json& request, std::span<const std::byte> pixels);
+
+} // namespace reliefbake::worker
