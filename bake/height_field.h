@@ -17,21 +17,21 @@ enum class InputKind { height, depth };
 enum class RangeMode { automatic, data, fixed };
 
 struct HeightOptions {
-    InputKind input = InputKind::height;  ///< what white means: high, or deep (--input)
+    InputKind input = InputKind::height;    ///< what white means: high, or deep (--input)
     RangeMode range = RangeMode::automatic; ///< which source values become height 0 and 1 (--range).
-                                          ///< `automatic`: integers by their format; floats as they are if all lie in
-                                          ///< 0..1, else as `data`. `data`: smallest..largest finite value; a flat
-                                          ///< source becomes height 1. `fixed`: range_low..range_high, and a value
-                                          ///< outside is an error
-    float range_low = 0;                  ///< source value that becomes height 0
-    float range_high = 1;                 ///< source value that becomes height 1
-    NanPolicy nan = NanPolicy::error;     ///< what NaN, Inf and no-data values do (--nan)
-    std::optional<float> no_data;         ///< source value that means "no sample here" (file metadata, --no-data)
-    double scale = 1;                     ///< height' = scale * height + bias (001 sec. 2.2); must stay in 0..1
+                                            ///< `automatic`: integers by their format; floats as they are if
+                                            ///< all lie in 0..1, else as `data`. `data`: smallest..largest
+                                            ///< finite value; a flat source becomes height 1. `fixed`:
+                                            ///< range_low..range_high, and a value outside is an error
+    float range_low = 0;              ///< source value that becomes height 0
+    float range_high = 1;             ///< source value that becomes height 1
+    NanPolicy nan = NanPolicy::error; ///< what NaN, Inf and no-data values do (--nan)
+    std::optional<float> no_data;     ///< source value that means "no sample here" (file metadata, --no-data)
+    double scale = 1;                 ///< height' = scale * height + bias (001 sec. 2.2); must stay in 0..1
     double bias = 0;
     WrapChoice wrap_x = WrapChoice::automatic; ///< (--wrap)
     WrapChoice wrap_y = WrapChoice::automatic;
-    double pixel_aspect = 1;              ///< height of a texel divided by its width
+    double pixel_aspect = 1; ///< height of a texel divided by its width
 };
 
 /// Heights in [0,1], 1 = top; finite; at least one texel. Only make_height_field makes one.
@@ -53,7 +53,7 @@ struct HeightReport {
     double range_low = 0, range_high = 1;   ///< source values that became height 0 and 1
     bool range_from_data = false;           ///< they are source_low and source_high
     std::size_t bad_texels = 0;             ///< NaN, Inf or no-data, filled
-    double seam_x = 0, seam_y = 0;          ///< mean |first - last| over the mean neighbour difference; about 1 tiles
+    double seam_x = 0, seam_y = 0; ///< mean |first - last| over the mean neighbour difference; about 1 tiles
 };
 
 struct CheckedHeight {
@@ -62,14 +62,16 @@ struct CheckedHeight {
 };
 
 /// Validates a decoded source plane and maps it to heights. `name` is the file, for messages.
-/// Errors: bad_data: NaN/Inf/no-data without NanPolicy::fill (count and first position) or nowhere a valid value; values
-/// outside a fixed range; scale and bias that leave 0..1. usage: options outside their ranges.
-/// Guarantee: an integer source of 8 or 16 bits comes back code for code from quantise_depth at its own depth.
-Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer, const HeightOptions& options,
-                                        const std::string& name);
+/// Errors: bad_data: NaN/Inf/no-data without NanPolicy::fill (count and first position) or nowhere a valid
+/// value; values outside a fixed range; scale and bias that leave 0..1. usage: options outside their ranges.
+/// Guarantee: an integer source of 8 or 16 bits comes back code for code from quantise_depth at its own
+/// depth.
+Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer,
+                                        const HeightOptions& options, const std::string& name);
 
-/// The depth plane as it is stored: what the shader will sample, and what every cone is baked for (MATHS: "bake
-/// from what is stored"). level = integer code for unorm, the depth itself for floating formats; both exact.
+/// The depth plane as it is stored: what the shader will sample, and what every cone is baked for (MATHS:
+/// "bake from what is stored"). level = integer code for unorm, the depth itself for floating formats; both
+/// exact.
 struct DepthMap {
     TexelGrid grid;
     BitDepth bits = BitDepth::float32;
