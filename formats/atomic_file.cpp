@@ -102,8 +102,10 @@ bool sync_directory(const fs::path& directory) {
 Result<fs::path> target_of(const fs::path& path) {
     std::error_code error;
     fs::path target = path;
-    if (fs::is_symlink(path, error)) target = fs::weakly_canonical(path, error);
-    if (error) return system_error(ErrorCode::cannot_create, path, "cannot create", error.value());
+    if (fs::is_symlink(path, error)) {
+        target = fs::weakly_canonical(path, error);
+        if (error) return system_error(ErrorCode::cannot_create, path, "cannot create", error.value());
+    }
     const fs::file_status status = fs::status(target, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
         return fail(ErrorCode::cannot_create, path.string() + ": cannot create: there is something here that is not a file");

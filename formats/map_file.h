@@ -4,6 +4,7 @@
 #include "bake/error.h"
 #include "bake/relief_map.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +15,9 @@ namespace reliefbake {
 /// exr half|float, tga 8; layout `named` is for exr alone. Called before the bake, so that no work is lost.
 Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, ChannelLayout layout);
 
-/// Encodes in memory and writes atomically: `path` is complete, or what it was before. Same map, same bytes.
+/// Encodes in memory and writes atomically: `path` is complete, or what it was before. Same map, same bytes, on any day
+/// (SOURCE_DATE_EPOCH is honoured). Half stores what the channels hold when a half can, else the nearest half.
+/// TGA keeps no metadata: reading it back needs every hint. Errors: usage, cannot_create, write_failed, internal.
 Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map);
 
 /// What to assume where a file does not say (maps baked by others), or to insist on. Given values win over metadata.
@@ -29,10 +32,13 @@ struct MapHints {
     std::string channel_order = ""; ///< e.g. "RGBA" = nx, ny, cone, depth; "--BA": letters name the file's channels
                                     ///< that hold nx, ny, cone, depth; '-' = absent. Empty: as the metadata says
     bool alpha_is_height = false;   ///< the depth channel holds height
-    std::uint64_t max_bytes = 0;
+    std::uint64_t max_bytes = 0;    ///< as ReadOptions::max_bytes
 };
 
-/// Errors: no_input, bad_data (not a map: says which metadata is missing and which flags would supply it).
+/// Reads any allowed image as a map; the file's metadata and the hints say how. Channels absent by hint are empty images.
+/// What only rendering wants has defaults: normal_y gl, depth_scale 0.1, pixel aspect 1.
+/// Errors: no_input; bad_data (undecodable, damaged metadata, values that mean nothing, or facts missing: names the flags
+/// that supply them); usage (channel_order).
 Result<ReliefMap> read_map(const std::filesystem::path& path, const MapHints& hints = {});
 
 } // namespace reliefbake

@@ -1,0 +1,72 @@
+#include "formats/encode_image.h"
+
+#include "formats/claims_json.h"
+#include "formats/image_worker.h"
+
+#include <cstdlib>
+#include <ctime>
+
+namespace reliefbake {
+
+namespace {
+
+/// SOURCE_DATE_EPOCH (reproducible-builds.org) or 1970, in UTC. PNG is left without a time: it needs none.
+std::string fixed_time(const char* format) {
+    std::time_t seconds = 0;
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+        char* end = nullptr;
+        const long long value = std::strtoll(epoch, &end, 10);
+        constexpr long long year_9999 = 253402300799;
+        if (end != epoch && *end == '\0' && value >= 0 && value <= year_9999) seconds = std::time_t(value);
+    }
+    std::tm utc{};
+    ::gmtime_r(&seconds, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, format, &utc);
+    return text;
+}
+
+void add_common_attributes(EncodeRequest& request) {
+    nlohmann::json& attributes = request.attributes;
+    attributes["Software"] = "reliefbake " RELIEFBAKE_VERSION;
+    // Without it, channel 4 of our data would multiply the other three: the relief is destroyed where depth is near 0.
+    if (request.writer == "png" || request.writer == "targa") attributes["oiio:UnassociatedAlpha"] = 1;
+    if (request.writer != "png") attributes["DateTime"] = fixed_time("%Y:%m:%d %H:%M:%S");
+    if (request.writer == "openexr") attributes["capDate"] = fixed_time("%Y:%m:%d %H:%M:%S");
+    if (request.writer == "openexr" || request.writer == "tiff") attributes["compression"] = "zip";
+    if (request.writer == "targa") attributes["compression"] = "none";
+    if (request.writer == "tiff" && request.sample == "half") attributes["tiff:half"] = 1;
+}
+
+int sample_size(const std::string& type) { return type == "uint8" ? 1 : type == "float" ? 4 : 2; }
+
+} // namespace
+
+std::uint64_t pixel_bytes(const EncodeRequest& request) {
+    return std::uint64_t(request.width) * std::uint64_t(request.height) * request.channels.size() *
+           std::uint64_t(sample_size(request.pixels));
+}
+
+Result<SharedMemory> encode_image(const EncodeRequest& given, const SharedMemory& pixels, const std::string& name) {
+    EncodeRequest request = given;
+    add_common_attributes(request);
+    const std::uint64_t bytes = pixel_bytes(request);
+    const nlohmann::json message{{"do", "encode"},          {"writer", request.writer},     {"width", request.width},
+                                 {"height", request.height}, {"channels", request.channels}, {"sample", request.sample},
+                                 {"pixels", request.pixels}, {"attributes", request.attributes}, {"bytes", bytes}};
+    // The pixels, the library's converted copy, the encoded bytes twice, and room for doubling vectors. Deflate at 2 MiB
+    // a second is the slowest that 16-bit noise gives.
+    constexpr std::uint64_t scratch = 256ull << 20;
+    const ImageWorker::Limits limits{int(10 + bytes / (2u << 20)), scratch + 8 * bytes};
+
+    ImageWorker& worker = ImageWorker::instance();
+    const auto lock = worker.lock();
+    Result<Message> answer =
+        worker.ask(message, pixels.fd(), limits, ImageWorker::Turn::first, ErrorCode::write_failed, name);
+    if (!answer) return tl::unexpected(answer.error());
+    auto file = SharedMemory::adopt(std::move(answer->fd), unsigned_member(answer->body, "bytes"));
+    if (!file) return fail(ErrorCode::write_failed, name + ": the image helper's answer makes no sense");
+    return std::move(*file);
+}
+
+} // namespace reliefbake

@@ -1,0 +1,50 @@
+#include "formats/map_format.h"
+
+#include "formats/map_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace reliefbake {
+
+namespace {
+
+bool can_hold(MapFormat format, BitDepth bits) {
+    switch (format) {
+    case MapFormat::png: return is_unorm(bits);
+    case MapFormat::tiff: return true;
+    case MapFormat::openexr: return !is_unorm(bits);
+    case MapFormat::targa: return bits == BitDepth::unorm8;
+    }
+    return false;
+}
+
+const char* bits_held(MapFormat format) {
+    constexpr const char* held[] = {"8 or 16 bits", "8 or 16 bits, half or float", "half or float", "8 bits"};
+    return held[int(format)];
+}
+
+} // namespace
+
+Result<MapFormat> map_format_of(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (extension == ".png") return MapFormat::png;
+    if (extension == ".tif" || extension == ".tiff") return MapFormat::tiff;
+    if (extension == ".exr") return MapFormat::openexr;
+    if (extension == ".tga") return MapFormat::targa;
+    return fail(ErrorCode::usage, path.string() + ": maps are written as .png, .tif, .exr or .tga, not as '" + extension + "'");
+}
+
+Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, ChannelLayout layout) {
+    const Result<MapFormat> format = map_format_of(path);
+    if (!format) return tl::unexpected(format.error());
+    if (layout == ChannelLayout::named && *format != MapFormat::openexr)
+        return fail(ErrorCode::usage, path.string() + ": only .exr has named channels; use --exr-layout rgba");
+    if (!can_hold(*format, bits))
+        return fail(ErrorCode::usage, path.string() + ": this format holds " + bits_held(*format) + "; change --bits or the extension");
+    return {};
+}
+
+} // namespace reliefbake

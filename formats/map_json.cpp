@@ -1,0 +1,185 @@
+#include "formats/map_json.h"
+
+#include <cmath>
+#include <limits>
+
+namespace reliefbake {
+
+using nlohmann::json;
+
+namespace {
+
+// The words of the file format, in the order of the enumerators.
+constexpr std::array metric_words{"l2", "l1"};
+constexpr std::array encoding_words{"ratio", "sqrt", "radius", "normal"};
+constexpr std::array surface_words{"bilinear", "texel"};
+constexpr std::array wrap_words{"repeat", "clamp"};
+constexpr std::array normal_y_words{"gl", "dx"};
+constexpr std::array layout_words{"rgba", "named"};
+
+json bits_to_json(BitDepth bits) {
+    switch (bits) {
+    case BitDepth::unorm8: return 8;
+    case BitDepth::unorm16: return 16;
+    case BitDepth::half: return "half";
+    case BitDepth::float32: return "float";
+    }
+    return nullptr;
+}
+
+/// Finds values in an object and remembers those that make no sense.
+class Reader {
+  public:
+    Reader(const json& object, std::vector<std::string>& bad_keys) : object_(object), bad_keys_(bad_keys) {}
+
+    std::optional<std::string> text(const char* key) const {
+        const auto value = object_.find(key);
+        if (value == object_.end()) return std::nullopt;
+        if (!value->is_string()) return bad(key);
+        return value->get<std::string>();
+    }
+
+    template <class Enum, std::size_t N>
+    std::optional<Enum> word(const char* key, const std::array<const char*, N>& words) const {
+        const auto value = text(key);
+        if (!value) return std::nullopt;
+        if (const auto found = word_in<Enum>(*value, words)) return found;
+        return bad(key);
+    }
+
+    template <class Enum, std::size_t N>
+    static std::optional<Enum> word_in(const std::string& value, const std::array<const char*, N>& words) {
+        for (std::size_t i = 0; i < N; ++i)
+            if (value == words[i]) return Enum(i);
+        return std::nullopt;
+    }
+
+    /// A finite number in [low, high].
+    std::optional<double> number(const char* key, double low, double high) const {
+        const auto value = object_.find(key);
+        if (value == object_.end()) return std::nullopt;
+        const double x = value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
+        if (!(x >= low && x <= high)) return bad(key);
+        return x;
+    }
+
+    const json* find(const char* key) const {
+        const auto value = object_.find(key);
+        return value == object_.end() ? nullptr : &*value;
+    }
+
+    std::nullopt_t bad(const char* key) const {
+        bad_keys_.emplace_back(key);
+        return std::nullopt;
+    }
+
+  private:
+    const json& object_;
+    std::vector<std::string>& bad_keys_;
+};
+
+void read_wrap(const Reader& reader, MapMetadata& metadata) {
+    const json* pair = reader.find("wrap");
+    if (!pair) return;
+    const auto axis = [&](std::size_t i) -> std::optional<Wrap> {
+        if (!pair->is_array() || pair->size() != 2 || !(*pair)[i].is_string()) return std::nullopt;
+        return Reader::word_in<Wrap>((*pair)[i].get<std::string>(), wrap_words);
+    };
+    metadata.wrap_x = axis(0);
+    metadata.wrap_y = axis(1);
+    if (!metadata.wrap_x || !metadata.wrap_y) reader.bad("wrap");
+}
+
+void read_channels(const Reader& reader, MapMetadata& metadata) {
+    const json* names = reader.find("channels");
+    if (!names) return;
+    std::vector<std::string> channels;
+    if (names->is_array())
+        for (const json& name : *names)
+            if (name.is_string()) channels.push_back(name.get<std::string>());
+    if (channels.size() == 4) metadata.channels = std::move(channels);
+    else reader.bad("channels");
+}
+
+void read_statistics(const Reader& reader, MapMetadata& metadata) {
+    const json* statistics = reader.find("statistics");
+    if (!statistics) return;
+    if (!statistics->is_object()) {
+        reader.bad("statistics");
+        return;
+    }
+    for (const auto& [key, value] : statistics->items())
+        if (value.is_number()) metadata.statistics[key] = value.get<double>();
+}
+
+std::optional<float> read_cone_max(const Reader& reader) {
+    const json* value = reader.find("cone_max");
+    if (value && value->is_string() && value->get<std::string>() == "inf") return std::numeric_limits<float>::infinity();
+    const auto finite = reader.number("cone_max", std::numeric_limits<float>::min(), std::numeric_limits<float>::max());
+    return finite ? std::optional(float(*finite)) : std::nullopt;
+}
+
+} // namespace
+
+std::array<std::string, 4> channel_names(ChannelLayout layout) {
+    if (layout == ChannelLayout::named) return {"relief.nx", "relief.ny", "relief.cone", "relief.depth"};
+    return {"R", "G", "B", "A"};
+}
+
+json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
+    json statistics = json::object();
+    for (const auto& [key, value] : info.statistics) statistics[key] = value;
+    return {
+        {"kind", info.kind},
+        {"version", info.version},
+        {"width", grid.width},
+        {"height", grid.height},
+        {"aspect", grid.aspect()},
+        {"pixel_aspect", grid.pixel_aspect},
+        {"wrap", {wrap_words[std::size_t(grid.wrap_x)], wrap_words[std::size_t(grid.wrap_y)]}},
+        {"metric", metric_words[std::size_t(info.metric)]},
+        {"surface", surface_words[std::size_t(info.surface)]},
+        {"encoding", encoding_words[std::size_t(info.encoding)]},
+        {"bits", bits_to_json(info.bits)},
+        {"cone_max", std::isinf(info.cone_max) ? json("inf") : json(info.cone_max)},
+        {"layout", layout_words[std::size_t(info.layout)]},
+        {"channels", channel_names(info.layout)},
+        {"normal_y", normal_y_words[std::size_t(info.normal_y)]},
+        {"depth_scale", info.depth_scale},
+        {"filter_delta", info.filter_delta},
+        {"tolerance", info.tolerance},
+        {"guarantee", info.guarantee},
+        {"source_hash", info.source_hash},
+        {"argument_hash", info.argument_hash},
+        {"statistics", std::move(statistics)},
+    };
+}
+
+MapMetadata map_metadata_from(const std::string& text) {
+    MapMetadata metadata;
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) return metadata;
+    const Reader reader(object, metadata.bad_keys);
+    constexpr double largest = 1e30;
+
+    metadata.kind = reader.text("kind");
+    metadata.metric = reader.word<Metric>("metric", metric_words);
+    metadata.encoding = reader.word<ConeEncoding>("encoding", encoding_words);
+    metadata.surface = reader.word<SurfaceModel>("surface", surface_words);
+    metadata.normal_y = reader.word<NormalY>("normal_y", normal_y_words);
+    metadata.cone_max = read_cone_max(reader);
+    metadata.depth_scale = reader.number("depth_scale", 0, largest);
+    metadata.pixel_aspect = reader.number("pixel_aspect", 1e-9, 1e9);
+    metadata.filter_delta = reader.number("filter_delta", 0, 1);
+    metadata.tolerance = reader.number("tolerance", 0, 1);
+    metadata.guarantee = reader.text("guarantee").value_or("");
+    metadata.version = reader.text("version").value_or("");
+    metadata.source_hash = reader.text("source_hash").value_or("");
+    metadata.argument_hash = reader.text("argument_hash").value_or("");
+    read_wrap(reader, metadata);
+    read_channels(reader, metadata);
+    read_statistics(reader, metadata);
+    return metadata;
+}
+
+} // namespace reliefbake

@@ -1,0 +1,41 @@
+#pragma once
+// The meaning of a map as JSON: what lies in the file, and what `explain --json` prints. Keys: docs/FORMATS.md.
+
+#include "bake/relief_map.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reliefbake {
+
+/// Every fact, keys as in docs/FORMATS.md. An infinite cone_max is the string "inf": JSON has no infinity.
+nlohmann::json to_json(const ReliefMapInfo& info, const TexelGrid& grid);
+
+/// What a file says; a fact is empty when the file is silent.
+struct MapMetadata {
+    std::optional<std::string> kind;
+    std::optional<Metric> metric;
+    std::optional<ConeEncoding> encoding;
+    std::optional<SurfaceModel> surface;
+    std::optional<NormalY> normal_y;
+    std::optional<Wrap> wrap_x, wrap_y;
+    std::optional<float> cone_max;
+    std::optional<double> depth_scale, pixel_aspect, filter_delta, tolerance;
+    std::optional<std::vector<std::string>> channels; ///< names of the file's channels in the order nx, ny, cone, depth
+    std::string guarantee, version, source_hash, argument_hash;
+    std::map<std::string, double> statistics;
+    /// Keys that are there and make no sense (wrong type, not finite, out of range, unknown word); such facts are empty.
+    std::vector<std::string> bad_keys;
+};
+
+/// Reads what is there, believes nothing; any text is safe. Unknown keys are ignored: later versions may add some.
+MapMetadata map_metadata_from(const std::string& text);
+
+/// Names of a layout's channels in the order nx, ny, cone, depth.
+std::array<std::string, 4> channel_names(ChannelLayout layout);
+
+} // namespace reliefbake
