@@ -1,0 +1,168 @@
+#include "bake/max_pyramid.h"
+
+#include "bake/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace reliefbake {
+namespace {
+
+struct Box {
+    int x0, y0, x1, y1; // texels, x1 and y1 exclusive
+};
+
+/// Centre and half extents of the texel centres in `box`.
+void place(PyramidNode& node, Box box) {
+    node.cx = 0.5f * float(box.x0 + box.x1 - 1);
+    node.cy = 0.5f * float(box.y0 + box.y1 - 1);
+    node.half_x = 0.5f * float(box.x1 - 1 - box.x0);
+    node.half_y = 0.5f * float(box.y1 - 1 - box.y0);
+}
+
+/// The plane's offset is raised by this share of the heights it was computed from, more than float rounding can lose.
+constexpr float plane_slack = 1e-6f;
+
+PyramidNode leaf_node(const Image<float>& heights, Box box, double& mean) {
+    PyramidNode node{};
+    place(node, box);
+    // Least squares on a regular grid: the slope is the covariance over the variance, axis by axis.
+    float low = heights(box.x0, box.y0), high = low;
+    double sum = 0, cov_x = 0, cov_y = 0, var_x = 0, var_y = 0;
+    for (int y = box.y0; y < box.y1; ++y) {
+        for (int x = box.x0; x < box.x1; ++x) {
+            const float h = heights(x, y), dx = float(x) - node.cx, dy = float(y) - node.cy;
+            low = std::min(low, h);
+            high = std::max(high, h);
+            sum += h;
+            cov_x += double(dx) * h, var_x += double(dx) * dx;
+            cov_y += double(dy) * h, var_y += double(dy) * dy;
+        }
+    }
+    mean = sum / (double(box.x1 - box.x0) * (box.y1 - box.y0));
+    node.max = high;
+    node.gx = var_x > 0 ? float(cov_x / var_x) : 0.0f;
+    node.gy = var_y > 0 ? float(cov_y / var_y) : 0.0f;
+    // Raise the plane until no texel lies above it.
+    float offset = -std::numeric_limits<float>::infinity();
+    for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; ++x)
+            offset = std::max(offset, heights(x, y) - (node.gx * (float(x) - node.cx) + node.gy * (float(y) - node.cy)));
+    node.plane = offset + plane_slack * std::max(std::fabs(low), std::fabs(high));
+    return node;
+}
+
+/// Least offset of a plane with the parent's slopes above the child's own bounds.
+float offset_above(const PyramidNode& parent, const PyramidNode& child) {
+    const float dx = child.cx - parent.cx, dy = child.cy - parent.cy;
+    const float at_centre = parent.gx * dx + parent.gy * dy;
+    const float by_plane = child.plane - at_centre + std::fabs(child.gx - parent.gx) * child.half_x +
+                           std::fabs(child.gy - parent.gy) * child.half_y;
+    const float by_max = child.max - at_centre + std::fabs(parent.gx) * child.half_x + std::fabs(parent.gy) * child.half_y;
+    return std::min(by_plane, by_max);
+}
+
+/// Number of texels of a node, and the variance of their x (or y) times that number.
+double texel_count(const PyramidNode& n) { return (2.0 * n.half_x + 1) * (2.0 * n.half_y + 1); }
+double variance_sum(const PyramidNode& n, float half) {
+    const double side = 2.0 * half + 1;
+    return texel_count(n) * (side * side - 1) / 12;
+}
+
+/// Least squares over the texels of all children: covariances add up, within the children and between their means.
+void fit_slopes(PyramidNode& node, const PyramidNode* const* children, const double* means, int count) {
+    double n = 0, mean = 0;
+    for (int k = 0; k < count; ++k) n += texel_count(*children[k]), mean += texel_count(*children[k]) * means[k];
+    mean /= n;
+    double cov_x = 0, cov_y = 0, var_x = 0, var_y = 0;
+    for (int k = 0; k < count; ++k) {
+        const PyramidNode& c = *children[k];
+        const double nc = texel_count(c), dx = c.cx - node.cx, dy = c.cy - node.cy, dh = means[k] - mean;
+        cov_x += c.gx * variance_sum(c, c.half_x) + nc * dx * dh, var_x += variance_sum(c, c.half_x) + nc * dx * dx;
+        cov_y += c.gy * variance_sum(c, c.half_y) + nc * dy * dh, var_y += variance_sum(c, c.half_y) + nc * dy * dy;
+    }
+    node.gx = var_x > 0 ? float(cov_x / var_x) : 0.0f;
+    node.gy = var_y > 0 ? float(cov_y / var_y) : 0.0f;
+}
+
+struct LevelWithMeans {
+    MaxPyramid::Level level;
+    std::vector<double> means;
+};
+
+void join(const LevelWithMeans& below, int i, int j, PyramidNode& node, double& mean) {
+    const PyramidNode* children[4];
+    double means[4];
+    int count = 0;
+    for (int cj = 2 * j; cj < std::min(2 * j + 2, below.level.height); ++cj)
+        for (int ci = 2 * i; ci < std::min(2 * i + 2, below.level.width); ++ci) {
+            const std::size_t k = std::size_t(cj) * below.level.width + ci;
+            children[count] = &below.level.nodes[k], means[count++] = below.means[k];
+        }
+    // Join boxes, maxima and means.
+    float x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY, largest = 0;
+    double n = 0;
+    node.max = -INFINITY, mean = 0;
+    for (int k = 0; k < count; ++k) {
+        const PyramidNode& c = *children[k];
+        x0 = std::min(x0, c.cx - c.half_x), x1 = std::max(x1, c.cx + c.half_x);
+        y0 = std::min(y0, c.cy - c.half_y), y1 = std::max(y1, c.cy + c.half_y);
+        node.max = std::max(node.max, c.max);
+        largest = std::max({largest, std::fabs(c.max), std::fabs(c.plane)});
+        n += texel_count(c), mean += texel_count(c) * means[k];
+    }
+    mean /= n;
+    node.cx = 0.5f * (x0 + x1), node.cy = 0.5f * (y0 + y1);
+    node.half_x = 0.5f * (x1 - x0), node.half_y = 0.5f * (y1 - y0);
+    // Fit the slopes, then raise the plane above every child's bounds.
+    fit_slopes(node, children, means, count);
+    float offset = -INFINITY;
+    for (int k = 0; k < count; ++k) offset = std::max(offset, offset_above(node, *children[k]));
+    const float tilt = std::fabs(node.gx) * node.half_x + std::fabs(node.gy) * node.half_y;
+    node.plane = offset + plane_slack * (largest + tilt);
+}
+
+LevelWithMeans leaf_level(const Image<float>& heights, int threads) {
+    constexpr int s = MaxPyramid::leaf_size;
+    LevelWithMeans out{{(heights.width() + s - 1) / s, (heights.height() + s - 1) / s, {}}, {}};
+    out.level.nodes.resize(std::size_t(out.level.width) * out.level.height);
+    out.means.resize(out.level.nodes.size());
+    parallel_for(out.level.height, threads, [&](int j) {
+        for (int i = 0; i < out.level.width; ++i) {
+            const Box box{i * s, j * s, std::min(i * s + s, heights.width()), std::min(j * s + s, heights.height())};
+            const std::size_t k = std::size_t(j) * out.level.width + i;
+            out.level.nodes[k] = leaf_node(heights, box, out.means[k]);
+        }
+    });
+    return out;
+}
+
+LevelWithMeans level_above(const LevelWithMeans& below, int threads) {
+    LevelWithMeans out{{(below.level.width + 1) / 2, (below.level.height + 1) / 2, {}}, {}};
+    out.level.nodes.resize(std::size_t(out.level.width) * out.level.height);
+    out.means.resize(out.level.nodes.size());
+    parallel_for(out.level.height, threads, [&](int j) {
+        for (int i = 0; i < out.level.width; ++i) {
+            const std::size_t k = std::size_t(j) * out.level.width + i;
+            join(below, i, j, out.level.nodes[k], out.means[k]);
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+MaxPyramid build_max_pyramid(const Image<float>& heights, int threads) {
+    MaxPyramid pyramid;
+    LevelWithMeans current = leaf_level(heights, threads);
+    while (current.level.nodes.size() > 1) {
+        LevelWithMeans above = level_above(current, threads);
+        pyramid.levels_.push_back(std::move(current.level));
+        current = std::move(above);
+    }
+    pyramid.levels_.push_back(std::move(current.level));
+    return pyramid;
+}
+
+} // namespace reliefbake
