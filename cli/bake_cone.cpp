@@ -1,12 +1,94 @@
 #include "cli/bake_cone.h"
 
+#include "bake/normal_map.h"
+#include "cli/assemble_map.h"
+#include "cli/code_advice.h"
+#include "cli/cone_info.h"
+#include "cli/cone_report.h"
+#include "cli/stage_clock.h"
+#include "formats/map_file.h"
+
+#include <cmath>
+#include <cstdio>
+
 namespace reliefbake {
+
+namespace {
+
+/// A no-data value is given in the file's own numbers; the plane of an integer file is scaled to 0..1.
+HeightOptions with_no_data(HeightOptions options, const SourceImage& source) {
+    if (!options.no_data) options.no_data = source.no_data;
+    if (options.no_data && source.is_integer)
+        options.no_data = float(*options.no_data / (std::exp2(source.bit_depth) - 1));
+    return options;
+}
+
+ConeMap bake_timed_cones(const DepthMap& depth, const ConeOptions& options, StageClock& clock) {
+    ConeStatistics statistics;
+    ConeMap cones = clock.time("cone", [&] { return bake_cones(depth, options, &statistics); });
+    clock.add("cone_near", statistics.seconds_near);
+    clock.add("cone_pyramid", statistics.seconds_pyramid);
+    clock.add("cone_search", statistics.seconds_search);
+    return cones;
+}
+
+std::vector<std::string> warnings_about(const SourceImage& source, const DepthMap& depth,
+                                        const ConeMap& cones, const EncodedConeMap& encoded) {
+    std::vector<std::string> warnings;
+    if (source.srgb_tagged)
+        warnings.push_back("the source is tagged sRGB; its codes were taken as heights, as they stand");
+    if (encoded.zero_codes > 0)
+        warnings.push_back(std::to_string(encoded.zero_codes) +
+                           " texels have cone code 0, where a ray goes on cell by cell; " +
+                           better_codes(cones, depth, encoded));
+    return warnings;
+}
+
+void print(const ConeRun& run) {
+    const ConeCommandOptions& given = run.plan.given;
+    for (const std::string& warning : run.warnings)
+        std::fprintf(stderr, "reliefbake cone: warning: %s: %s\n", given.input.c_str(), warning.c_str());
+    if (given.quiet) return;
+    std::fputs((given.json ? cone_result_text(run) : cone_summary(run)).c_str(), stdout);
+}
+
+} // namespace
 
 void ConeCommand::add_to(CLI::App& app) { add_cone_options(app, options_); }
 
 Result<void> ConeCommand::run() {
     const Result<ConePlan> plan = plan_cone(options_);
     if (!plan) return tl::unexpected(plan.error());
+    return bake(*plan);
+}
+
+Result<void> ConeCommand::bake(const ConePlan& plan) {
+    const ConeCommandOptions& given = plan.given;
+    StageClock clock(!given.quiet);
+
+    Result<SourceImage> source = clock.time("read", [&] { return read_image(given.input, given.read); });
+    if (!source) return tl::unexpected(source.error());
+    const Result<CheckedHeight> height = clock.time("height", [&] {
+        return make_height_field(source->plane, source->is_integer, with_no_data(given.height, *source),
+                                 given.input);
+    });
+    if (!height) return tl::unexpected(height.error());
+    source->plane = {};
+
+    const DepthMap depth = clock.time("quantise", [&] { return quantise_depth(height->field, plan.bits); });
+    const ConeMap cones = bake_timed_cones(depth, plan.cone, clock);
+    const EncodedConeMap encoded = clock.time("encode", [&] {
+        return encode_cones(cones, depth, {given.encoding, plan.bits});
+    });
+    const NormalMap normals = clock.time("normals", [&] { return bake_normals(depth, plan.depth_scale); });
+
+    const ReliefMapInfo info = describe_cones(plan, *source, depth, cones, encoded);
+    const ReliefMap map = assemble_map(info, depth, encoded, normals);
+    const Result<void> written = clock.time("write", [&] { return write_map(given.output, map); });
+    if (!written) return written;
+    clock.stop();
+    print({plan, *source, height->report, info, depth.grid, warnings_about(*source, depth, cones, encoded),
+           clock.seconds()});
     return {};
 }
 

@@ -12,6 +12,8 @@ class ConeCommand : public Command {
     Result<void> run() override;
 
   private:
+    Result<void> bake(const ConePlan& plan);
+
     ConeCommandOptions options_;
 };
 

@@ -21,7 +21,7 @@ void add_source_options(CLI::App& app, ConeCommandOptions& o) {
         group, "--nan", o.height.nan, nan_words,
         "NaN, Inf and no-data texels: refuse the file, or fill from the nearest texel (default error)");
     add_number(group, "--no-data", o.height.no_data, finite_number,
-               "Value that means 'no sample here' (integers: 0..1 of their format; default: the file's own)");
+               "Value that means 'no sample here' (default: the file's own)");
     add_number(group, "--scale", o.height.scale, finite_number,
                "height = scale * height + bias; must stay in 0..1");
     add_number(group, "--bias", o.height.bias, finite_number, "See --scale");

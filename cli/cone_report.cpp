@@ -1,0 +1,89 @@
+#include "cli/cone_report.h"
+
+#include "cli/choices.h"
+#include "formats/map_json.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace reliefbake {
+
+using nlohmann::json;
+
+namespace {
+
+template <class... Args>
+std::string format(const char* pattern, Args... args) {
+    char text[512];
+    std::snprintf(text, sizeof text, pattern, args...);
+    return text;
+}
+
+const char* word_of_wrap(Wrap wrap) { return wrap == Wrap::repeat ? "repeat" : "clamp"; }
+
+bool was_chosen(const HeightOptions& options) {
+    return options.wrap_x == WrapChoice::automatic || options.wrap_y == WrapChoice::automatic;
+}
+
+std::string range_line(const HeightReport& height) {
+    const char* origin = height.range_from_data ? "the source's extremes" : "as declared or by the format";
+    std::string line = format("  height 0..1 is source %g..%g, %s; the source spans %g..%g", height.range_low,
+                              height.range_high, origin, height.source_low, height.source_high);
+    if (height.bad_texels > 0) line += format("; %zu texels filled", height.bad_texels);
+    return line + "\n";
+}
+
+json cone_result(const ConeRun& run) {
+    const HeightReport& h = run.height;
+    json seconds = json::object();
+    for (const auto& [stage, duration] : run.seconds)
+        seconds[stage] = duration;
+    return {
+        {"input", run.plan.given.input},
+        {"output", run.plan.given.output},
+        {"source",
+         {{"format", run.source.format},
+          {"channel", run.source.channel},
+          {"bit_depth", run.source.bit_depth},
+          {"is_integer", run.source.is_integer},
+          {"low", h.source_low},
+          {"high", h.source_high},
+          {"filled_texels", h.bad_texels}}},
+        {"range", {{"low", h.range_low}, {"high", h.range_high}, {"from_data", h.range_from_data}}},
+        {"wrap", {word_of_wrap(run.grid.wrap_x), word_of_wrap(run.grid.wrap_y)}},
+        {"seam", {h.seam_x, h.seam_y}},
+        {"map", to_json(run.info, run.grid)},
+        {"statistics", run.info.statistics},
+        {"warnings", run.warnings},
+        {"threads", run.plan.cone.threads},
+        {"seconds", seconds},
+    };
+}
+
+} // namespace
+
+std::string cone_result_text(const ConeRun& run) {
+    // A file's name need not be UTF-8; JSON must be.
+    return cone_result(run).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string cone_summary(const ConeRun& run) {
+    const auto& statistics = run.info.statistics;
+    const double texels = double(run.grid.width) * run.grid.height;
+    const double seconds = run.seconds.back().second;
+    std::string text = run.plan.given.output + ": " +
+                       format("%d x %d from %s of %s", run.grid.width, run.grid.height,
+                              run.source.channel.c_str(), run.plan.given.input.c_str()) +
+                       "\n" + range_line(run.height);
+    text += format("  wrap %s, %s (%s; seam %.2f, %.2f)\n", word_of_wrap(run.grid.wrap_x),
+                   word_of_wrap(run.grid.wrap_y), was_chosen(run.plan.given.height) ? "measured" : "as told",
+                   run.height.seam_x, run.height.seam_y);
+    text +=
+        format("  cones %s, %s bits, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
+               word_of(encoding_words, run.info.encoding).c_str(), word_of(bits_words, run.info.bits).c_str(),
+               statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
+    return text +
+           format("  %.3g s, %.3g texels/s, %d threads\n", seconds, texels / seconds, run.plan.cone.threads);
+}
+
+} // namespace reliefbake
