@@ -57,12 +57,13 @@ Heading Heading::along(const TexelGrid& grid, double du, double dv) {
     return {du / length, y / length};
 }
 
-Constraint cone_constraint(const BilinearSurface& surface, double u, double v, const Heading& heading, double max_distance) {
+Constraint cone_constraint(const BilinearSurface& surface, double u, double v, const Heading& heading, double max_distance,
+                           double at_least) {
     const TexelGrid& grid = surface.grid();
     const CellLine line{surface.to_x(u), surface.to_y(v), heading.x / grid.pitch_x(), heading.y / grid.pitch_y()};
-    ConstraintVisitor visitor{line, surface.height(u, v), surface.highest(), max_distance, {}};
+    ConstraintVisitor visitor{line, surface.height(u, v), surface.highest(), max_distance, {at_least, 0}};
     walk_cells(surface, line, visitor);
-    return visitor.best;
+    return visitor.best.slope > at_least ? visitor.best : Constraint{};
 }
 
 } // namespace reliefbake

@@ -24,6 +24,9 @@ struct Constraint {
 /// ratio <= 1 / slope. Exact per crossed cell:
 ///
 ///     (a + b s + c s^2) / s  on [s0, s1]  is greatest at s0, at s1, or, for a < 0 and c < 0, at sqrt(a/c)
-Constraint cone_constraint(const BilinearSurface& surface, double u, double v, const Heading& heading, double max_distance);
+///
+/// `at_least` is a slope already known: only steeper ones are sought (much faster), and slope 0 is the answer if none is.
+Constraint cone_constraint(const BilinearSurface& surface, double u, double v, const Heading& heading, double max_distance,
+                           double at_least = 0);
 
 } // namespace reliefbake

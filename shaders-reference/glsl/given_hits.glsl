@@ -1,0 +1,9 @@
+// No search: hits computed elsewhere, one per pixel, so that the oracle's picture is shaded by the same text.
+// Needs relief_map.glsl.
+
+uniform sampler2D given_hits; // (t, gap, status, -), the picture's bottom row first
+
+ReliefHit given_hit(ReliefRay ray) {
+    vec4 given = texelFetch(given_hits, ivec2(gl_FragCoord.xy), 0);
+    return ReliefHit(given.x, given.y, 0, 0, int(given.z));
+}

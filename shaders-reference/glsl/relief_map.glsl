@@ -1,0 +1,71 @@
+// A baked relief map and what its channels mean.
+//
+// Texel = (normal x, normal y, cone, depth). Depth 0 is the polygon, 1 the floor. Horizontal lengths are in texture
+// widths, so that cones are round on maps of any shape: |(du, dv)|^2 = du^2 + (aspect dv)^2.
+//
+// Set before this text, from the map's metadata (`reliefbake explain`):
+//   RELIEF_ENCODING       0 ratio, 1 sqrt, 2 radius, 3 normal
+//   RELIEF_METRIC_L1      1 when the cones are squares |du| + aspect |dv| <= ratio z
+//   RELIEF_NORMAL_UNORM   1 when normals are stored as 0.5 n + 0.5
+//   RELIEF_NORMAL_DX      1 when the stored y points down the image
+
+uniform sampler2D relief_map;   // linear filter, no mips; wrap as baked
+uniform float relief_cone_max;  // ratio of the largest code (ratio, sqrt)
+uniform float relief_aspect;    // R = height / width * pixel aspect
+uniform float relief_delta;     // how far the sampler's filter may err in height; 0 for exact filters
+uniform ivec2 relief_repeat;    // per axis: 1 repeat, 0 clamp
+
+float relief_depth(vec4 texel) { return texel.a; }
+
+// Cone ratio: radius in texture widths per unit of height. A wider one may hit the relief.
+float relief_ratio(vec4 texel) {
+#if RELIEF_ENCODING == 0
+    return texel.b * relief_cone_max;
+#elif RELIEF_ENCODING == 1
+    return texel.b * texel.b * relief_cone_max;
+#elif RELIEF_ENCODING == 2
+    return texel.a > 0.0 ? texel.b / texel.a : relief_cone_max;
+#else
+    return texel.b / sqrt(max(1.0 - texel.b * texel.b, 1e-12));
+#endif
+}
+
+// Unit normal: x along +u, y up the image, z out of the relief.
+vec3 relief_normal(vec4 texel) {
+    vec2 xy = texel.rg;
+#if RELIEF_NORMAL_UNORM
+    xy = 2.0 * xy - 1.0;
+#endif
+#if RELIEF_NORMAL_DX
+    xy.y = -xy.y;
+#endif
+    return normalize(vec3(xy, sqrt(max(1.0 - dot(xy, xy), 0.0))));
+}
+
+// Length of a texture-space vector in the metric of the cones, texture widths.
+float relief_length(vec2 uv) {
+#if RELIEF_METRIC_L1
+    return abs(uv.x) + abs(relief_aspect * uv.y);
+#else
+    return length(vec2(uv.x, relief_aspect * uv.y));
+#endif
+}
+
+// A ray that enters at depth 0 and goes down one unit of depth for each unit of its parameter t:
+// uv = origin + t direction, depth = t.
+struct ReliefRay {
+    vec2 origin;
+    vec2 direction;
+};
+
+const int RELIEF_NO_RAY = 0;
+const int RELIEF_HIT = 1;
+const int RELIEF_OUT_OF_STEPS = 2; // t is where the march stood, above the relief
+
+struct ReliefHit {
+    float t;     // depth reached
+    float gap;   // height above the sampled relief there
+    int steps;   // rounds of the loop
+    int fetches; // texture reads
+    int status;
+};

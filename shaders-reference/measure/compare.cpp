@@ -1,0 +1,91 @@
+#include "shaders-reference/measure/compare.h"
+
+#include "bake/parallel.h"
+#include "shaders-reference/oracle/first_hit.h"
+
+#include <algorithm>
+
+namespace reliefbake {
+namespace {
+
+ReliefRay ray_of(const Quad& ray) { return {ray[0], ray[1], 1, ray[2], ray[3], -1}; }
+
+/// Sums over one row; divided only at the end, so that rows may be done in any order.
+Comparison compare_row(const BilinearSurface& surface, const Rendering& rendering, double tolerance, int row) {
+    Comparison sum;
+    for (int column = 0; column < rendering.width(); ++column) {
+        const std::size_t pixel = std::size_t(row) * std::size_t(rendering.width()) + std::size_t(column);
+        const RayStatus status = rendering.status(pixel);
+        if (status == RayStatus::no_ray) continue;
+        const ReliefRay ray = ray_of(rendering.ray[pixel]);
+        const Quad& counts = rendering.counts[pixel];
+        const double t = counts[3];
+
+        const auto lowered = first_hit(surface, ray, tolerance, t);
+        if (lowered && lowered->t < t) ++sum.missed;
+        else if (!first_hit(surface, ray, -tolerance, t)) ++sum.early;
+        const double error = (1 - t) - surface.height(ray.u + t * ray.du, ray.v + t * ray.dv);
+        ++sum.rays;
+        sum.out_of_steps += status == RayStatus::out_of_steps;
+        sum.mse += error * error;
+        sum.steps_mean += counts[0];
+        sum.steps_max = std::max<double>(sum.steps_max, counts[0]);
+        sum.fetches_mean += counts[1];
+    }
+    return sum;
+}
+
+} // namespace
+
+Comparison compare_with_oracle(const BilinearSurface& surface, const Rendering& rendering, const CompareOptions& options) {
+    std::vector<Comparison> rows(std::size_t(rendering.height()));
+    parallel_for(rendering.height(), options.threads,
+                 [&](int row) { rows[std::size_t(row)] = compare_row(surface, rendering, options.tolerance, row); });
+    Comparison total;
+    for (const Comparison& row : rows) {
+        total.rays += row.rays;
+        total.missed += row.missed;
+        total.early += row.early;
+        total.out_of_steps += row.out_of_steps;
+        total.mse += row.mse;
+        total.steps_mean += row.steps_mean;
+        total.steps_max = std::max(total.steps_max, row.steps_max);
+        total.fetches_mean += row.fetches_mean;
+    }
+    if (total.rays == 0) return total;
+    total.mse /= double(total.rays);
+    total.steps_mean /= double(total.rays);
+    total.fetches_mean /= double(total.rays);
+    return total;
+}
+
+Comparison combined(const Comparison& a, const Comparison& b) {
+    Comparison sum;
+    sum.rays = a.rays + b.rays;
+    if (sum.rays == 0) return sum;
+    const double share_a = double(a.rays) / double(sum.rays);
+    const double share_b = double(b.rays) / double(sum.rays);
+    sum.missed = a.missed + b.missed;
+    sum.early = a.early + b.early;
+    sum.out_of_steps = a.out_of_steps + b.out_of_steps;
+    sum.mse = share_a * a.mse + share_b * b.mse;
+    sum.steps_mean = share_a * a.steps_mean + share_b * b.steps_mean;
+    sum.steps_max = std::max(a.steps_max, b.steps_max);
+    sum.fetches_mean = share_a * a.fetches_mean + share_b * b.fetches_mean;
+    return sum;
+}
+
+Image<Quad> oracle_hits(const BilinearSurface& surface, const Rendering& rendering, int threads) {
+    Image<Quad> hits(rendering.width(), rendering.height(), Quad{});
+    parallel_for(rendering.height(), threads, [&](int row) {
+        for (int column = 0; column < rendering.width(); ++column) {
+            const std::size_t pixel = std::size_t(row) * std::size_t(rendering.width()) + std::size_t(column);
+            if (rendering.status(pixel) == RayStatus::no_ray) continue;
+            const auto hit = first_hit(surface, ray_of(rendering.ray[pixel]));
+            hits[pixel] = {hit ? float(hit->t) : 1.0f, 0, float(RayStatus::hit), 0};
+        }
+    });
+    return hits;
+}
+
+} // namespace reliefbake

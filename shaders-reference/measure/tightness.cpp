@@ -1,0 +1,89 @@
+#include "shaders-reference/measure/tightness.h"
+
+#include "bake/parallel.h"
+#include "shaders-reference/measure/map_sample.h"
+#include "shaders-reference/oracle/cone_constraint.h"
+#include "shaders-reference/oracle/steepest_texel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reliefbake {
+namespace {
+
+constexpr double full_turn = 6.283185307179586;
+constexpr double square_reach = 0.7935; ///< mean over directions of 1 / (|cos| + |sin|)
+
+/// Steepest slope of the bilinear surface seen from a point: the limiting texel exactly, then the patches between texels
+/// along evenly spaced headings, each only where it could be steeper.
+double steepest_slope(const BilinearSurface& surface, double u, double v, double at_least, int headings) {
+    double slope = std::max(at_least, steepest_texel(surface, u, v, Metric::l2, at_least).slope);
+    const double rise = surface.highest() - surface.height(u, v);
+    for (int k = 0; k < headings; ++k) {
+        const Heading heading = Heading::from_angle(full_turn * k / headings);
+        slope = std::max(slope, cone_constraint(surface, u, v, heading, rise / slope, slope).slope);
+    }
+    return slope;
+}
+
+/// Steepest gradient in a cell: its square is convex there, so a corner has it.
+double steepest_gradient(const BilinearSurface& surface, int i, int j) {
+    const Patch patch = surface.patch(i, j);
+    double steepest = 0;
+    for (const double y : {0.0, 1.0})
+        for (const double x : {0.0, 1.0})
+            steepest = std::max(steepest, std::hypot(patch.slope(x, y, 1, 0) / surface.grid().pitch_x(),
+                                                     patch.slope(x, y, 0, 1) / surface.grid().pitch_y()));
+    return steepest;
+}
+
+} // namespace
+
+Image<double> footprint_cones(const BilinearSurface& surface, int x, int y, int width, int height, double ratio_max,
+                              const TightnessOptions& options) {
+    // Slopes at a lattice of points that spans the crop and one texel around it.
+    const TexelGrid& grid = surface.grid();
+    const int steps = options.steps;
+    Image<double> points((width + 1) * steps + 1, (height + 1) * steps + 1);
+    parallel_for(points.height(), options.threads, [&](int b) {
+        const double v = (y - 0.5 + double(b) / steps) / grid.height;
+        for (int a = 0; a < points.width(); ++a) {
+            const double u = (x - 0.5 + double(a) / steps) / grid.width;
+            points(a, b) = steepest_slope(surface, u, v, 1 / ratio_max, options.headings);
+        }
+    });
+
+    // The steepest of the points and gradients in each texel's four cells.
+    Image<double> cones(width, height);
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) {
+            double slope = 1 / ratio_max;
+            for (int b = j * steps; b <= (j + 2) * steps; ++b)
+                for (int a = i * steps; a <= (i + 2) * steps; ++a) slope = std::max(slope, points(a, b));
+            for (int b = j - 1; b <= j; ++b)
+                for (int a = i - 1; a <= i; ++a) slope = std::max(slope, steepest_gradient(surface, x + a, y + b));
+            cones(i, j) = 1 / slope;
+        }
+    return cones;
+}
+
+double tightness(const ReliefMap& map, const BilinearSurface& surface, const TightnessOptions& options) {
+    const TexelGrid& grid = map.grid;
+    const int width = std::min(options.crop, grid.width);
+    const int height = std::min(options.crop, grid.height);
+    const int x = (grid.width - width) / 2;
+    const int y = (grid.height - height) / 2;
+    const double ratio_max = map.info.cone_max;
+    const Image<double> best = footprint_cones(surface, x, y, width, height, ratio_max, options);
+    const double reach = map.info.metric == Metric::l1 ? square_reach : 1;
+    double sum = 0;
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) {
+            const double u = TexelGrid::centre(x + i, grid.width);
+            const double v = TexelGrid::centre(y + j, grid.height);
+            sum += reach * std::min(sampled_ratio(map, u, v, Fetch::nearest), ratio_max) / best(i, j);
+        }
+    return sum / double(best.size());
+}
+
+} // namespace reliefbake

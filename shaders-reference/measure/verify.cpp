@@ -1,0 +1,130 @@
+#include "shaders-reference/measure/verify.h"
+
+#include "shaders-reference/measure/heat_map.h"
+#include "shaders-reference/measure/stored_depth.h"
+#include "shaders-reference/measure/tightness.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace reliefbake {
+namespace {
+
+constexpr double narrow_field = 10;     ///< degrees: every ray of a view has nearly the view's angle
+constexpr double flattest_picture = 40; ///< width over height at grazing views of one tile
+constexpr double brightest_steps = 64;
+
+struct ViewAngle {
+    double angle, azimuth;
+};
+
+/// From above once; else along the lattice, across it, and along a diagonal, where bilinear patches are steepest.
+std::vector<ViewAngle> view_angles() {
+    std::vector<ViewAngle> views{{0, 0}};
+    for (const double angle : {45.0, 70.0, 85.0, 89.0})
+        for (const double azimuth : {0.0, 115.0, 225.0}) views.push_back({angle, azimuth});
+    return views;
+}
+
+/// A frame of about `rays` pixels. A clamped map shows one tile, which grazing views foreshorten: the picture's shape
+/// follows, so that rays are not wasted on the background.
+RenderOptions frame(const TexelGrid& grid, const ViewAngle& view, int rays, const VerifyOptions& options) {
+    const bool endless = grid.wrap_x == Wrap::repeat && grid.wrap_y == Wrap::repeat;
+    const double foreshortened = 1 / std::max(std::cos(view.angle * 3.14159265358979 / 180), 1 / flattest_picture);
+    const double aspect = endless ? 4.0 / 3 : foreshortened;
+    RenderOptions result;
+    result.technique = options.technique;
+    result.exact_finish = options.exact_finish;
+    result.width = std::max(8, int(std::lround(std::sqrt(rays * aspect))));
+    result.height = std::max(8, int(std::lround(std::sqrt(rays / aspect))));
+    result.max_steps = options.max_steps;
+    result.endless = endless;
+    result.view = {view.angle, view.azimuth, narrow_field, 0};
+    return result;
+}
+
+Result<ViewPictures> view_pictures(ReliefRenderer& renderer, const BilinearSurface& surface, Rendering& rendering,
+                                   RenderOptions options, int threads) {
+    const Image<Quad> hits = oracle_hits(surface, rendering, threads);
+    options.technique = Technique::given;
+    options.exact_finish = false;
+    options.given = &hits;
+    Result<Rendering> truth = renderer.render(options);
+    if (!truth) return tl::unexpected<Error>(truth.error());
+    return ViewPictures{std::move(rendering.colour), std::move(truth->colour), error_picture(rendering, hits),
+                        steps_picture(rendering, brightest_steps)};
+}
+
+Result<double> largest_difference(const DepthMap& stored, const DepthMap& source) {
+    if (stored.grid.width != source.grid.width || stored.grid.height != source.grid.height) {
+        return fail(ErrorCode::usage, std::string("the source is ") + std::to_string(source.grid.width) + "x" +
+                                          std::to_string(source.grid.height) + ", the map " +
+                                          std::to_string(stored.grid.width) + "x" + std::to_string(stored.grid.height));
+    }
+    double largest = 0;
+    for (int j = 0; j < stored.grid.height; ++j)
+        for (int i = 0; i < stored.grid.width; ++i)
+            largest = std::max(largest, std::abs(stored.depth(i, j) - source.depth(i, j)));
+    return largest;
+}
+
+Verdict judge(const ReliefMap& map, const ConeCheck& cones, const Comparison& rays) {
+    if (cones.violations > 0) return Verdict::unsafe;
+    if (rays.missed == 0) return Verdict::safe;
+    return map.info.surface == SurfaceModel::texel ? Verdict::not_conservative : Verdict::unsafe;
+}
+
+} // namespace
+
+Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) {
+    VerifyReport report;
+    const DepthMap depth = stored_depth(map);
+    if (options.source) {
+        const Result<double> difference = largest_difference(depth, *options.source);
+        if (!difference) return tl::unexpected<Error>(difference.error());
+        report.depth_difference = *difference;
+    }
+    Result<ReliefRenderer> renderer = ReliefRenderer::create(options.backend);
+    if (!renderer) return tl::unexpected<Error>(renderer.error());
+    if (Result<void> loaded = renderer->load(map, options.filter); !loaded) return tl::unexpected<Error>(loaded.error());
+
+    // The cones themselves.
+    const BilinearSurface surface(depth);
+    ConeCheckOptions check;
+    check.points = options.points;
+    check.seed = options.seed;
+    check.threads = options.threads;
+    report.cones = check_cones(map, surface, check);
+    TightnessOptions tight;
+    tight.threads = options.threads;
+    report.tightness = tightness(map, surface, tight);
+
+    // What rays make of them.
+    const std::vector<ViewAngle> views = view_angles();
+    CompareOptions compare;
+    compare.threads = options.threads;
+    report.tolerance = compare.tolerance;
+    double oracle_seconds = 0;
+    for (const ViewAngle& view : views) {
+        const RenderOptions drawing = frame(map.grid, view, options.rays / int(views.size()), options);
+        Result<Rendering> rendering = renderer->render(drawing);
+        if (!rendering) return tl::unexpected<Error>(rendering.error());
+        ViewReport entry{view.angle, view.azimuth, {}, 1000 * rendering->seconds, std::nullopt};
+        const auto start = std::chrono::steady_clock::now();
+        entry.comparison = compare_with_oracle(surface, *rendering, compare);
+        oracle_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report.total = combined(report.total, entry.comparison);
+        if (options.pictures) {
+            Result<ViewPictures> pictures = view_pictures(*renderer, surface, *rendering, drawing, options.threads);
+            if (!pictures) return tl::unexpected<Error>(pictures.error());
+            entry.pictures = std::move(*pictures);
+        }
+        report.views.push_back(std::move(entry));
+    }
+    report.oracle_rays_per_second = oracle_seconds > 0 ? double(report.total.rays) / oracle_seconds : 0;
+    report.verdict = judge(map, report.cones, report.total);
+    return report;
+}
+
+} // namespace reliefbake

@@ -1,0 +1,67 @@
+#pragma once
+// Renders baked maps with the shaders of glsl/, off screen.
+
+#include "bake/error.h"
+#include "bake/relief_map.h"
+#include "shaders-reference/renderer/gl_context.h"
+#include "shaders-reference/renderer/rendering.h"
+#include "shaders-reference/renderer/scene.h"
+#include "shaders-reference/renderer/shader_source.h"
+
+#include <memory>
+
+namespace reliefbake {
+
+/// How the map lies in the texture. Mesa's rasteriser filters 8-bit textures with 8-bit weights, as much hardware
+/// does; wider ones exactly, to float32.
+enum class SamplerFilter {
+    exact,  ///< 16-bit unorm, or float32 (--filter float)
+    fixed8, ///< 8-bit texture: height errs by up to the map's filter_delta (--filter fixed8)
+};
+
+struct RenderOptions {
+    Technique technique = Technique::cone; ///< (--technique)
+    bool exact_finish = false; ///< solve the bilinear patch in the cell where cone steps get short (--exact-finish)
+    int width = 1024;          ///< of the picture, pixels (--size)
+    int height = 768;
+    int supersample = 1;       ///< rays per pixel and axis; cost grows with its square (--supersample)
+    int max_steps = 256;       ///< of the cone march (--steps)
+    int linear_steps = 64;     ///< (--steps)
+    int binary_steps = 8;
+    float epsilon = 1.0f / 16384; ///< gap that counts as a hit for the cone march without exact finish, height
+    int tiles = 1;             ///< repeats of the map per axis; clamped maps always show one (--tiles)
+    bool endless = false;      ///< repeated maps only: the plane has no border
+    View view;
+    Sun sun;
+    int shadow_steps = 0;      ///< of the march towards the sun; 0: no shadows (--shadow)
+    const Image<Quad>* given = nullptr; ///< Technique::given: (t, gap, status, -) per sample, top row first
+};
+
+class ReliefRenderer {
+  public:
+    /// Errors (usage): the backend is not available; says what to install.
+    static Result<ReliefRenderer> create(RendererBackend backend);
+
+    ReliefRenderer(ReliefRenderer&&) noexcept;
+    ReliefRenderer& operator=(ReliefRenderer&&) noexcept;
+    ~ReliefRenderer();
+
+    /// Uploads the map that following frames show. Errors (usage): larger than the driver's textures; `fixed8` for a map
+    /// that is not 8-bit.
+    Result<void> load(const ReliefMap& map, SamplerFilter filter = SamplerFilter::exact);
+
+    /// Draws one frame of the loaded map. Deterministic on one machine. Errors (usage): a picture larger than the driver
+    /// allows; (internal): a shader that does not compile.
+    Result<Rendering> render(const RenderOptions& options);
+
+  private:
+    struct State;
+    explicit ReliefRenderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+/// One frame with a renderer of its own.
+Result<Rendering> render(const ReliefMap& map, const RenderOptions& options,
+                         RendererBackend backend = RendererBackend::osmesa, SamplerFilter filter = SamplerFilter::exact);
+
+} // namespace reliefbake

@@ -1,0 +1,40 @@
+#include "shaders-reference/renderer/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reliefbake {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double frame_margin = 1.12; ///< the whole plane seen from above leaves this much air around it
+
+Vec3 scaled(const Vec3& v, double factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
+
+} // namespace
+
+Camera make_camera(const TexelGrid& grid, const View& view, int tiles, double picture_aspect) {
+    const double sin_angle = std::sin(view.angle * degree), cos_angle = std::cos(view.angle * degree);
+    const double sin_heading = std::sin(view.azimuth * degree), cos_heading = std::cos(view.azimuth * degree);
+    const double half = std::tan(0.5 * view.field_of_view * degree);
+    const double plane_span = frame_margin * tiles * std::max(1.0, grid.aspect() * picture_aspect);
+    const double distance = 0.5 * (view.span > 0 ? view.span : plane_span) / half;
+
+    Camera camera;
+    camera.forward = {sin_angle * sin_heading, sin_angle * cos_heading, -cos_angle};
+    camera.eye = {0.5 * tiles - distance * camera.forward[0], -0.5 * tiles * grid.aspect() - distance * camera.forward[1],
+                  -distance * camera.forward[2]};
+    camera.right = scaled({cos_heading, -sin_heading, 0}, half);
+    camera.up = scaled({cos_angle * sin_heading, cos_angle * cos_heading, sin_angle}, half / picture_aspect);
+    camera.near = 0.01 * distance;
+    camera.far = 1000 * distance;
+    return camera;
+}
+
+Vec3 sun_direction(const Sun& sun, const View& view) {
+    const double heading = (view.azimuth + sun.azimuth) * degree;
+    const double flat = std::cos(sun.elevation * degree);
+    return {flat * std::sin(heading), flat * std::cos(heading), std::sin(sun.elevation * degree)};
+}
+
+} // namespace reliefbake
