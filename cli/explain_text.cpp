@@ -1,0 +1,97 @@
+#include "cli/explain_text.h"
+
+#include "cli/choices.h"
+#include "formats/map_json.h"
+
+#include <charconv>
+
+namespace reliefbake {
+
+namespace {
+
+std::string digits(double number) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+std::string wrap_words(const TexelGrid& grid) {
+    const auto word = [](Wrap wrap) { return std::string(wrap == Wrap::repeat ? "repeat" : "clamp"); };
+    return word(grid.wrap_x) + " in u, " + word(grid.wrap_y) + " in v";
+}
+
+std::string ratio_formula(const ReliefMapInfo& info, const std::string& cone, const std::string& depth) {
+    const std::string max = digits(info.cone_max);
+    switch (info.encoding) {
+    case ConeEncoding::ratio:
+        return cone + " * " + max;
+    case ConeEncoding::sqrt:
+        return cone + " * " + cone + " * " + max;
+    case ConeEncoding::radius:
+        return depth + " > 0.0 ? " + cone + " / " + depth + " : " + max;
+    case ConeEncoding::normal:
+        return cone + " / sqrt(1.0 - " + cone + " * " + cone + ")";
+    }
+    return "";
+}
+
+std::string length_formula(const ReliefMapInfo& info, const TexelGrid& grid) {
+    const std::string aspect = digits(grid.aspect());
+    if (info.metric == Metric::l1) return "abs(dir.x) + abs(" + aspect + " * dir.y)";
+    return "length(vec2(dir.x, " + aspect + " * dir.y))";
+}
+
+std::string normal_lines(const ReliefMapInfo& info, const std::string& x, const std::string& y) {
+    const bool unorm = is_unorm(info.bits);
+    std::string text = "  normal  n.xy = " + std::string(unorm ? "2.0 * " : "") + "vec2(" + x + ", " + y +
+                       ")" + (unorm ? " - 1.0" : "") + "; n.z = sqrt(1.0 - dot(n.xy, n.xy)); y points " +
+                       (info.normal_y == NormalY::gl ? "up" : "down") + " the image (" +
+                       word_of(normal_y_words, info.normal_y) + ").\n";
+    return text + "          The slopes are those of a relief " + digits(info.depth_scale) +
+           " texture widths deep.\n";
+}
+
+std::string cone_lines(const ReliefMapInfo& info, const TexelGrid& grid, const std::string& cone,
+                       const std::string& depth) {
+    return "  cone    ratio = " + ratio_formula(info, cone, depth) + "; texture widths per unit of depth (" +
+           word_of(encoding_words, info.encoding) + ").\n" +
+           "          A ray at height gap g above the surface that moves dir in uv per unit of depth may "
+           "sink by\n" +
+           "          ratio * g / (l + ratio), with l = " + length_formula(info, grid) + " (" +
+           word_of(metric_words, info.metric) + " cones).\n";
+}
+
+std::string safety_lines(const ReliefMapInfo& info) {
+    const std::string surface =
+        info.surface == SurfaceModel::bilinear ? "bilinearly filtered surface" : "surface of texel centres";
+    std::string text = info.guarantee == "C"
+                           ? "No point of the " + surface + " lies inside a cone (guarantee C).\n"
+                           : "Nothing is guaranteed about the cones.\n";
+    if (info.filter_delta > 0)
+        text += "A GPU that filters with 8-bit weights reads a depth off by up to " +
+                digits(info.filter_delta) + ": subtract that from g.\n";
+    return text;
+}
+
+} // namespace
+
+std::string explain_text(const ReliefMap& map) {
+    const auto [x, y, cone, depth] = channel_names(map.info.layout);
+    const ReliefMapInfo& info = map.info;
+    std::string text = "A " + info.kind + " map of " + std::to_string(map.grid.width) + " x " +
+                       std::to_string(map.grid.height) + " texels, " + word_of(bits_words, info.bits) +
+                       " bits";
+    text += info.version.empty() ? ".\n" : ", by reliefbake " + info.version + ".\n";
+    text += "Sample it with linear or nearest filtering, " + wrap_words(map.grid) +
+            ", no sRGB decoding, no mips.\n";
+    if (!map.normal_x.empty() && !map.normal_y.empty()) text += normal_lines(info, x, y);
+    if (!map.cone.empty()) text += cone_lines(info, map.grid, cone, depth);
+    if (!map.depth.empty()) text += "  depth   " + depth + "; 0 is the top (the polygon), 1 the floor.\n";
+    text += safety_lines(info);
+    for (const auto& [name, value] : info.statistics)
+        text += "  " + name + " = " + digits(value) + "\n";
+    if (!info.source_hash.empty())
+        text += "Source pixels " + info.source_hash + ", options " + info.argument_hash + ".\n";
+    return text;
+}
+
+} // namespace reliefbake
