@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -38,6 +39,7 @@ struct SearchSpace {
 struct alignas(32) Tile {
     float x[tile_size], y[tile_size];
     float height[tile_texels], need[tile_texels], found[tile_texels];
+    float half_lowest[2 * tile_size], half_need[2 * tile_size]; ///< least of each half column
     float centre_x, centre_y, half_x, half_y, lowest;
 };
 
@@ -69,11 +71,10 @@ HWY_INLINE V Length(V x, V y) {
     return hn::Max(length, hn::Set(d, 1e-6f));
 }
 
-/// Derivative of the length along one component `e`.
+/// slope times the derivative of the length along component `e`; per_length = slope / length (L1: the slope).
 template <bool kL1>
-HWY_INLINE V Direction(V e, V length) {
-    const D d;
-    return kL1 ? hn::CopySign(hn::Set(d, 1.0f), e) : hn::Div(e, length);
+HWY_INLINE V Direction(V e, V per_length) {
+    return kL1 ? hn::CopySign(per_length, e) : hn::Mul(e, per_length);
 }
 
 /// The deflated distance for absolute displacements (dx, dy) >= 0; squared in the L2 metric.
@@ -92,57 +93,78 @@ HWY_INLINE auto Exceeds(V rise, V slope, V reach) {
     return hn::Gt(hn::Mul(rise, rise), hn::Mul(hn::Mul(slope, slope), reach));
 }
 
-/// The rows of the tile, among `rows`, with a texel that may need the node.
+/// Whether a box of this height may matter to any texel of a half column; a first, cheap test for four rows.
+/// `dx`: distance along x to the box, whose centre and half extent along y are given.
 template <bool kL1>
-std::uint32_t RowsThatNeed(const SearchSpace& space, const Tile& tile, const PyramidNode& node, std::uint32_t rows) {
+HWY_INLINE bool HalfColumnsNeed(const SearchSpace& space, const Tile& tile, int half, int i, float height, V dx,
+                                float centre_y, float half_y, V factor) {
+    const D d;
+    constexpr int rows = tile_size / 2;
+    const float middle = 0.5f * (tile.y[half * rows] + tile.y[half * rows + rows - 1]);
+    const float gap = std::fabs(NearestImage(centre_y - middle, space.period_y)) - half_y - 0.5f * (rows - 1);
+    const V reach = Reach<kL1>(space, dx, hn::Set(d, std::max(gap, 0.0f) * space.aspect));
+    const V lowest = hn::Load(d, tile.half_lowest + half * tile_size + i);
+    const V need = hn::Mul(hn::Load(d, tile.half_need + half * tile_size + i), factor);
+    const V rise = hn::Max(hn::Sub(hn::Set(d, height), lowest), hn::Zero(d));
+    return !hn::AllFalse(d, Exceeds<kL1>(rise, need, reach));
+}
+
+/// Whether any texel of the tile may need the node. `shrink`: least ratio of deflated to plain distance between them.
+template <bool kL1>
+bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& node, float shrink) {
     const D d;
     const V factor = hn::Set(d, space.tolerance_factor), zero = hn::Zero(d);
     const V half_x = hn::Set(d, node.half_x), half_y = hn::Set(d, node.half_y * space.aspect);
     const V gx = hn::Set(d, node.gx), gy = hn::Set(d, node.gy / space.aspect);
-    std::uint32_t found = 0;
     for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
         const V ex = NearestImage(hn::Sub(hn::Set(d, node.cx), hn::Load(d, tile.x + i)), space.period_x);
         const V dx = hn::Max(hn::Sub(hn::Abs(ex), half_x), zero);
         // The plane is meant for one image of the node: not where another one may be as near.
         const auto one_image = hn::Le(hn::Add(hn::Abs(ex), half_x), hn::Set(d, 0.5f * space.period_x));
-        for (std::uint32_t left = rows & ~found; left != 0; left &= left - 1) {
-            const int j = int(hwy::Num0BitsBelowLS1Bit_Nonzero32(left)), at = j * tile_size + i;
+        for (int j = 0; j < tile_size; ++j) {
+            if (j % (tile_size / 2) == 0 && !HalfColumnsNeed<kL1>(space, tile, j / (tile_size / 2), i, node.max, dx,
+                                                                  node.cy, node.half_y, factor)) {
+                j += tile_size / 2 - 1;
+                continue;
+            }
+            // The maximum.
+            const int at = j * tile_size + i;
             const V need = hn::Mul(hn::Load(d, tile.need + at), factor);
             const V height = hn::Load(d, tile.height + at);
             const float ey = NearestImage(node.cy - tile.y[j], space.period_y);
             const float dy = std::max(std::fabs(ey) - node.half_y, 0.0f) * space.aspect;
-            const V reach = Reach<kL1>(space, dx, hn::Set(d, dy));
             const V rise = hn::Max(hn::Sub(hn::Set(d, node.max), height), zero);
-            auto matters = Exceeds<kL1>(rise, need, reach);
+            auto matters = Exceeds<kL1>(rise, need, Reach<kL1>(space, dx, hn::Set(d, dy)));
             if (hn::AllFalse(d, matters)) continue;
-            // Second chance, the plane: F(v) = need |v| - (rise of the plane at v) is convex in v, so its tangent at
-            // the node's centre bounds it from below over the whole node.
+            // The plane: F(v) = need |v| - (rise of the plane at v) is convex in v, so its tangent at the node's
+            // centre bounds it from below over the whole node.
             if (std::fabs(ey) + node.half_y <= 0.5f * space.period_y) {
                 const V vy = hn::Set(d, ey * space.aspect);
                 const V distance = Length<kL1>(ex, vy);
-                const V slope = kL1 ? need : hn::Mul(need, hn::Sqrt(hn::Div(reach, hn::Add(reach, hn::Set(d, space.deflation)))));
+                const V slope = hn::Mul(need, hn::Set(d, shrink));
                 const V spare = hn::Sub(hn::Mul(slope, distance), hn::Sub(hn::Set(d, node.plane), height));
-                const V fall_x = hn::Mul(hn::Abs(hn::Sub(hn::Mul(slope, Direction<kL1>(ex, distance)), gx)), half_x);
-                const V fall_y = hn::Mul(hn::Abs(hn::Sub(hn::Mul(slope, Direction<kL1>(vy, distance)), gy)), half_y);
+                const V per_length = kL1 ? slope : hn::Div(slope, distance);
+                const V fall_x = hn::Mul(hn::Abs(hn::Sub(Direction<kL1>(ex, per_length), gx)), half_x);
+                const V fall_y = hn::Mul(hn::Abs(hn::Sub(Direction<kL1>(vy, per_length), gy)), half_y);
                 const auto held = hn::Ge(spare, hn::Add(fall_x, fall_y));
                 matters = hn::AndNot(hn::And(held, one_image), matters);
             }
-            if (!hn::AllFalse(d, matters)) found |= 1u << j;
+            if (!hn::AllFalse(d, matters)) return true;
         }
     }
-    return found;
+    return false;
 }
 
-/// Compares one texel with the tile's `rows` and keeps what it asks for. Returns whether anything was raised.
+/// Compares one texel with the whole tile and keeps what it asks for. Returns whether anything was raised.
 template <bool kL1>
-bool CompareTexel(const SearchSpace& space, Tile& tile, float bx, float by, float height, std::uint32_t rows) {
+bool CompareTexel(const SearchSpace& space, Tile& tile, float bx, float by, float height) {
     const D d;
     bool raised = false;
     const V near = hn::Set(d, float(near_radius) + 0.5f);
     for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
         const V dx = hn::Abs(NearestImage(hn::Sub(hn::Set(d, bx), hn::Load(d, tile.x + i)), space.period_x));
-        for (std::uint32_t left = rows; left != 0; left &= left - 1) {
-            const int j = int(hwy::Num0BitsBelowLS1Bit_Nonzero32(left)), at = j * tile_size + i;
+        for (int j = 0; j < tile_size; ++j) {
+            const int at = j * tile_size + i;
             const float dy = std::fabs(NearestImage(by - tile.y[j], space.period_y));
             const V need = hn::Load(d, tile.need + at);
             const V rise = hn::Max(hn::Sub(hn::Set(d, height), hn::Load(d, tile.height + at)), hn::Zero(d));
@@ -159,25 +181,53 @@ bool CompareTexel(const SearchSpace& space, Tile& tile, float bx, float by, floa
     return raised;
 }
 
-float LeastNeed(const Tile& tile) {
+/// Texels of a leaf row that may exceed the tile's least need, as bits.
+std::uint32_t LeafCandidates(const SearchSpace& space, const Tile& tile, const float* heights, float x, float y,
+                             float threshold) {
+    const HWY_CAPPED(float, MaxPyramid::leaf_size) d;
+    using W = hn::Vec<decltype(d)>;
+    static_assert(MaxPyramid::leaf_size == 4);
+    float dy = std::fabs(y - tile.centre_y);
+    dy = std::max(std::min(dy, space.period_y - dy) - tile.half_y, 0.0f) * space.aspect;
+    std::uint32_t bits = 0;
+    for (int i = 0; i < MaxPyramid::leaf_size; i += int(hn::Lanes(d))) {
+        const W rise = hn::Max(hn::Sub(hn::LoadU(d, heights + i), hn::Set(d, tile.lowest)), hn::Zero(d));
+        W dx = hn::Abs(hn::Sub(hn::Iota(d, x + float(i)), hn::Set(d, tile.centre_x)));
+        dx = hn::Max(hn::Sub(hn::Min(dx, hn::Sub(hn::Set(d, space.period_x), dx)), hn::Set(d, tile.half_x)), hn::Zero(d));
+        const W sum = hn::Add(dx, hn::Set(d, dy));
+        W sq = space.l1 ? hn::Mul(sum, sum) : hn::Add(hn::Mul(dx, dx), hn::Set(d, dy * dy));
+        sq = hn::Sub(hn::Max(sq, hn::Set(d, space.near_distance_sq)), hn::Set(d, space.deflation));
+        const auto matters = hn::Gt(hn::Mul(rise, rise), hn::Mul(hn::Set(d, threshold), sq));
+        std::uint8_t mask[8] = {};
+        hn::StoreMaskBits(d, matters, mask);
+        bits |= std::uint32_t(mask[0]) << i;
+    }
+    return bits;
+}
+
+/// Refreshes the half columns' needs; returns the least of all.
+float SummariseNeeds(Tile& tile) {
     const D d;
     V least = hn::Load(d, tile.need);
-    for (int at = 0; at < tile_texels; at += int(hn::Lanes(d))) least = hn::Min(least, hn::Load(d, tile.need + at));
+    for (int half = 0; half < 2; ++half)
+        for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
+            constexpr int rows = tile_size / 2;
+            V low = hn::Load(d, tile.need + half * rows * tile_size + i);
+            for (int j = 1; j < rows; ++j) low = hn::Min(low, hn::Load(d, tile.need + (half * rows + j) * tile_size + i));
+            hn::Store(low, d, tile.half_need + half * tile_size + i);
+            least = hn::Min(least, low);
+        }
     return hn::GetLane(hn::MinOfLanes(d, least));
 }
 
-std::uint32_t RowsThatNeedL2(const SearchSpace& s, const Tile& t, const PyramidNode& n, std::uint32_t rows) {
-    return RowsThatNeed<false>(s, t, n, rows);
+bool TileNeedsL2(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<false>(s, t, n, shrink);
 }
-std::uint32_t RowsThatNeedL1(const SearchSpace& s, const Tile& t, const PyramidNode& n, std::uint32_t rows) {
-    return RowsThatNeed<true>(s, t, n, rows);
+bool TileNeedsL1(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<true>(s, t, n, shrink);
 }
-bool CompareTexelL2(const SearchSpace& s, Tile& t, float x, float y, float h, std::uint32_t rows) {
-    return CompareTexel<false>(s, t, x, y, h, rows);
-}
-bool CompareTexelL1(const SearchSpace& s, Tile& t, float x, float y, float h, std::uint32_t rows) {
-    return CompareTexel<true>(s, t, x, y, h, rows);
-}
+bool CompareTexelL2(const SearchSpace& s, Tile& t, float x, float y, float h) { return CompareTexel<false>(s, t, x, y, h); }
+bool CompareTexelL1(const SearchSpace& s, Tile& t, float x, float y, float h) { return CompareTexel<true>(s, t, x, y, h); }
 
 } // namespace HWY_NAMESPACE
 } // namespace reliefbake
@@ -185,47 +235,45 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace reliefbake {
-HWY_EXPORT(RowsThatNeedL2);
-HWY_EXPORT(RowsThatNeedL1);
+HWY_EXPORT(TileNeedsL2);
+HWY_EXPORT(TileNeedsL1);
 HWY_EXPORT(CompareTexelL2);
 HWY_EXPORT(CompareTexelL1);
-HWY_EXPORT(LeastNeed);
+HWY_EXPORT(SummariseNeeds);
+HWY_EXPORT(LeafCandidates);
 
 namespace {
 
-constexpr std::uint32_t all_rows = (1u << tile_size) - 1;
-
 struct NodeRef {
     int level, i, j;
-    float rise_sq_per_reach; ///< tile-wide bound of the slope; the steepest is visited first
-    std::uint32_t rows;      ///< rows of the tile that its parent mattered to
+    float slope_sq;          ///< square of the tile-wide bound of the slope; the steepest is visited first
+    float shrink;            ///< least ratio of deflated to plain distance
 };
 
 class TileSearch {
   public:
     TileSearch(const SearchSurface& surface, const MaxPyramid& pyramid, const SearchSpace& space)
         : surface_(surface), pyramid_(pyramid), space_(space),
-          rows_that_need_(space.l1 ? &HWY_DYNAMIC_DISPATCH(RowsThatNeedL1) : &HWY_DYNAMIC_DISPATCH(RowsThatNeedL2)),
+          tile_needs_(space.l1 ? &HWY_DYNAMIC_DISPATCH(TileNeedsL1) : &HWY_DYNAMIC_DISPATCH(TileNeedsL2)),
           compare_texel_(space.l1 ? &HWY_DYNAMIC_DISPATCH(CompareTexelL1) : &HWY_DYNAMIC_DISPATCH(CompareTexelL2)),
-          least_need_(&HWY_DYNAMIC_DISPATCH(LeastNeed)) {}
+          summarise_needs_(&HWY_DYNAMIC_DISPATCH(SummariseNeeds)), leaf_candidates_(&HWY_DYNAMIC_DISPATCH(LeafCandidates)) {}
 
     /// Leaves in tile.found the largest far slope of each texel that exceeds its need; 0 where none does.
     void run(int tile_x, int tile_y, const Image<float>& needs) {
         load(tile_x, tile_y, needs);
         stack_.clear();
-        push_if_it_matters(pyramid_.level_count() - 1, 0, 0, all_rows);
+        push_if_it_matters(pyramid_.level_count() - 1, 0, 0);
         while (!stack_.empty()) {
             const NodeRef ref = stack_.back();
             stack_.pop_back();
-            if (ref.rise_sq_per_reach <= threshold_) continue; // the needs have risen since
+            if (ref.slope_sq <= threshold_) continue; // the needs have risen since
             ++visits_;
             const PyramidNode& node = pyramid_.level(ref.level).at(ref.i, ref.j);
-            const std::uint32_t rows = rows_that_need_(space_, tile_, node, ref.rows);
-            if (rows == 0) continue;
+            if (!tile_needs_(space_, tile_, node, ref.shrink)) continue;
             if (ref.level == 0)
-                compare_leaf(ref.i, ref.j, rows);
+                compare_leaf(ref.i, ref.j);
             else
-                push_children(ref, rows);
+                push_children(ref);
         }
     }
 
@@ -249,6 +297,10 @@ class TileSearch {
                 tile_.lowest = std::min(tile_.lowest, tile_.height[at]);
             }
         }
+        for (int k = 0; k < 2 * tile_size; ++k) {
+            const float* column = tile_.height + (k / tile_size) * (tile_texels / 2) + k % tile_size;
+            tile_.half_lowest[k] = std::min({column[0], column[8], column[16], column[24]});
+        }
         const int x1 = std::min(x0 + tile_size, w) - 1, y1 = std::min(y0 + tile_size, h) - 1;
         tile_.centre_x = 0.5f * float(x0 + x1), tile_.half_x = 0.5f * float(x1 - x0);
         tile_.centre_y = 0.5f * float(y0 + y1), tile_.half_y = 0.5f * float(y1 - y0);
@@ -256,54 +308,57 @@ class TileSearch {
     }
 
     void refresh_threshold() {
-        const float need = least_need_(tile_) * space_.tolerance_factor;
+        const float need = summarise_needs_(tile_) * space_.tolerance_factor;
         threshold_ = need * need;
     }
 
-    /// Bound over the tile and the node of (rise / distance)^2.
-    float tile_bound(float height, float cx, float cy, float half_x, float half_y) const {
-        float dx = std::fabs(cx - tile_.centre_x), dy = std::fabs(cy - tile_.centre_y);
-        dx = std::max(std::min(dx, space_.period_x - dx) - (half_x + tile_.half_x), 0.0f);
-        dy = std::max(std::min(dy, space_.period_y - dy) - (half_y + tile_.half_y), 0.0f) * space_.aspect;
-        const float rise = std::max(height - tile_.lowest, 0.0f);
-        const float sq = space_.l1 ? (dx + dy) * (dx + dy) : dx * dx + dy * dy;
-        return rise * rise / (std::max(sq, space_.near_distance_sq) - space_.deflation);
-    }
-
-    void push_if_it_matters(int level, int i, int j, std::uint32_t rows) {
+    /// Queues the node unless the steepest slope between the boxes of tile and node is below all needs.
+    void push_if_it_matters(int level, int i, int j) {
         const PyramidNode& node = pyramid_.level(level).at(i, j);
-        const float bound = tile_bound(node.max, node.cx, node.cy, node.half_x, node.half_y);
-        if (bound > threshold_) stack_.push_back({level, i, j, bound, rows});
+        float dx = std::fabs(node.cx - tile_.centre_x), dy = std::fabs(node.cy - tile_.centre_y);
+        dx = std::max(std::min(dx, space_.period_x - dx) - (node.half_x + tile_.half_x), 0.0f);
+        dy = std::max(std::min(dy, space_.period_y - dy) - (node.half_y + tile_.half_y), 0.0f) * space_.aspect;
+        const float plain = std::max(space_.l1 ? (dx + dy) * (dx + dy) : dx * dx + dy * dy, space_.near_distance_sq);
+        const float rise = std::max(node.max - tile_.lowest, 0.0f), deflated = plain - space_.deflation;
+        if (rise * rise <= threshold_ * deflated) return;
+        stack_.push_back({level, i, j, rise * rise / deflated, std::sqrt(deflated / plain)});
     }
 
-    void push_children(const NodeRef& ref, std::uint32_t rows) {
+    void push_children(const NodeRef& ref) {
         const MaxPyramid::Level& below = pyramid_.level(ref.level - 1);
         const std::size_t first = stack_.size();
         for (int j = 2 * ref.j; j < std::min(2 * ref.j + 2, below.height); ++j)
             for (int i = 2 * ref.i; i < std::min(2 * ref.i + 2, below.width); ++i)
-                push_if_it_matters(ref.level - 1, i, j, rows);
-        std::sort(stack_.begin() + std::ptrdiff_t(first), stack_.end(),
-                  [](const NodeRef& a, const NodeRef& b) { return a.rise_sq_per_reach < b.rise_sq_per_reach; });
+                push_if_it_matters(ref.level - 1, i, j);
+        // The steepest child goes on top: an insertion sort of four at most.
+        for (std::size_t k = first + 1; k < stack_.size(); ++k)
+            for (std::size_t m = k; m > first && stack_[m].slope_sq < stack_[m - 1].slope_sq; --m)
+                std::swap(stack_[m], stack_[m - 1]);
     }
 
-    void compare_leaf(int i, int j, std::uint32_t rows) {
+    void compare_leaf(int i, int j) {
         constexpr int s = MaxPyramid::leaf_size;
         bool raised = false;
-        for (int y = j * s; y < std::min(j * s + s, surface_.grid.height); ++y)
-            for (int x = i * s; x < std::min(i * s + s, surface_.grid.width); ++x) {
-                const float height = surface_.height(x, y);
-                if (tile_bound(height, float(x), float(y), 0, 0) > threshold_)
-                    raised |= compare_texel_(space_, tile_, float(x), float(y), height, rows);
+        const int x0 = i * s, width = std::min(s, surface_.grid.width - x0);
+        for (int y = j * s; y < std::min(j * s + s, surface_.grid.height); ++y) {
+            float heights[s];
+            for (int k = 0; k < s; ++k) heights[k] = surface_.height(x0 + std::min(k, width - 1), y);
+            std::uint32_t bits = leaf_candidates_(space_, tile_, heights, float(x0), float(y), threshold_);
+            for (bits &= (1u << width) - 1; bits != 0; bits &= bits - 1) {
+                const int k = std::countr_zero(bits);
+                raised |= compare_texel_(space_, tile_, float(x0 + k), float(y), heights[k]);
             }
+        }
         if (raised) refresh_threshold();
     }
 
     const SearchSurface& surface_;
     const MaxPyramid& pyramid_;
     const SearchSpace& space_;
-    std::uint32_t (*rows_that_need_)(const SearchSpace&, const Tile&, const PyramidNode&, std::uint32_t rows);
-    bool (*compare_texel_)(const SearchSpace&, Tile&, float x, float y, float height, std::uint32_t rows);
-    float (*least_need_)(const Tile&);
+    bool (*tile_needs_)(const SearchSpace&, const Tile&, const PyramidNode&, float shrink);
+    bool (*compare_texel_)(const SearchSpace&, Tile&, float x, float y, float height);
+    float (*summarise_needs_)(Tile&);
+    std::uint32_t (*leaf_candidates_)(const SearchSpace&, const Tile&, const float*, float x, float y, float threshold);
     Tile tile_;
     float threshold_ = 0; ///< square of the least slope that still matters to the tile
     std::vector<NodeRef> stack_;
