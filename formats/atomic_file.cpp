@@ -102,9 +102,10 @@ bool sync_directory(const fs::path& directory) {
 Result<fs::path> target_of(const fs::path& path) {
     std::error_code error;
     fs::path target = path;
-    if (fs::is_symlink(path, error)) {
-        target = fs::weakly_canonical(path, error);
-        if (error) return system_error(ErrorCode::cannot_create, path, "cannot create", error.value());
+    for (int links = 0; fs::is_symlink(target, error); ++links) {
+        constexpr int most_links = 40; // Linux follows as many
+        if (links == most_links) return system_error(ErrorCode::cannot_create, path, "cannot create", ELOOP);
+        target = target.parent_path() / fs::read_symlink(target, error);
     }
     const fs::file_status status = fs::status(target, error);
     if (fs::exists(status) && !fs::is_regular_file(status))

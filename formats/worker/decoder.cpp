@@ -118,6 +118,8 @@ Decoder::Decoder(const std::string& reader, int fd)
     wishes["oiio:UnassociatedAlpha"] = 1;
     if (!input_->open(path_, spec_, wishes)) throw Refusal(one_line(input_->geterror(), path_));
     claims_ = claims_of(spec_, reader);
+    if (claims_.sample == SampleType::float64 && spec_.height == 1)
+        throw Refusal("cannot be decoded: OpenImageIO delivers nothing for a single row of 64-bit samples");
 }
 
 void Decoder::choose(std::vector<int> channels) {
@@ -134,6 +136,8 @@ void Decoder::choose(std::vector<int> channels) {
         const int tile_rows = std::max(1, block_rows_ / spec_.tile_height);
         block_rows_ = int(std::min<std::int64_t>(std::int64_t(tile_rows) * spec_.tile_height, spec_.height));
     }
+    // OpenImageIO 2.4 reports success and delivers nothing for 64-bit TIFF rows that are not whole strips.
+    if (claims_.sample == SampleType::float64) block_rows_ = spec_.height;
     native_.resize(std::size_t(block_rows_) * std::size_t(spec_.width) * std::size_t(end_channel_ - first_channel_) *
                    std::max<std::size_t>(sizeof(float), std::size_t(sample_bytes(claims_.sample))));
 }

@@ -27,7 +27,8 @@ class Decoder {
     /// Fixes the channels to read (indices into claims().channels). Throws Refusal.
     void choose(std::vector<int> channels);
     std::size_t row_floats() const { return std::size_t(spec_.width) * channels_.size(); }
-    /// Rows that one call of next_rows delivers at most: about 4 MiB, at least one row or one row of tiles.
+    /// Rows that one call of next_rows delivers at most: about 4 MiB, at least one row or one row of tiles,
+    /// and the whole image when its samples have 64 bits.
     int block_rows() const { return block_rows_; }
     /// Decodes the next rows to `out`, top to bottom; returns how many. Throws Refusal.
     int next_rows(float* out);
