@@ -2,6 +2,8 @@
 
 #include "cli/bake_cone.h"
 #include "cli/explain.h"
+#include "cli/render.h"
+#include "cli/verify.h"
 
 namespace reliefbake {
 
@@ -15,6 +17,8 @@ std::unique_ptr<Command> make() {
 constexpr CommandEntry all_commands[] = {
     {"cone", "Bake a height map into a cone map (normal, cone, depth)", make<ConeCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
+    {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
+    {"verify", "Judge a baked map against an exact oracle", make<VerifyCommand>},
 };
 
 } // namespace

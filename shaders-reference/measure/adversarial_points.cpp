@@ -81,7 +81,9 @@ MapPoint AdversarialPoints::draw(std::uint64_t index, SplitMix& random) const {
     }
     case 5: {
         const MapPoint& cell = steep_cells_[std::size_t(random.below(int(steep_cells_.size())))];
-        return at(cell.u + random.below(5) / 4.0, cell.v + random.below(5) / 4.0);
+        // Just inside the rim: the gradient at a corner holds towards every side, but only for points within the cell.
+        constexpr double places[] = {off_edge, 0.25, 0.5, 0.75, 1 - off_edge};
+        return at(cell.u + places[random.below(5)], cell.v + places[random.below(5)]);
     }
     default: return near_minimum(random);
     }

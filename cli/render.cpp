@@ -1,0 +1,87 @@
+#include "cli/render.h"
+
+#include "cli/map_hint_options.h"
+#include "cli/number_options.h"
+#include "cli/render_choices.h"
+#include "formats/write_image.h"
+
+#include <charconv>
+
+namespace reliefbake {
+
+namespace {
+
+constexpr int shadow_steps = 64;
+constexpr int most_pixels = 16384; ///< a side
+
+const NumberRule view_angle = {[](double x) { return x >= 0 && x < 90; }, "degrees from 0 to below 90"};
+const NumberRule any_angle = {[](double x) { return x >= -360 && x <= 360; }, "degrees from -360 to 360"};
+const NumberRule elevation = {[](double x) { return x > 0 && x <= 90; }, "degrees above 0, up to 90"};
+
+/// "WIDTHxHEIGHT" in pixels.
+void parse_size(const std::string& text, RenderOptions& picture) {
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, picture.width);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, picture.height);
+        const auto fits = [](int side) { return side >= 1 && side <= most_pixels; };
+        if (height.ec == std::errc() && height.ptr == end && fits(picture.width) && fits(picture.height)) return;
+    }
+    throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, such as 1024x768, found '" + text + "'");
+}
+
+void add_view_options(CLI::App& app, RenderOptions& picture) {
+    app.option_defaults()->group("View");
+    add_number(app, "--view", picture.view.angle, view_angle,
+               "Degrees between the line of sight and the relief's normal (default 45)");
+    add_number(app, "--azimuth", picture.view.azimuth, any_angle,
+               "Heading of the line of sight, degrees clockwise from up the image (default 0)");
+    add_number(app, "--span", picture.view.span, positive_number,
+               "Texture widths seen across the picture (default: the whole plane)");
+    add_number(app, "--sun-azimuth", picture.sun.azimuth, any_angle,
+               "Where light comes from, degrees clockwise from the heading (default -55)");
+    add_number(app, "--sun-elevation", picture.sun.elevation, elevation, "Degrees above the plane (default 30)");
+    app.add_option("--tiles", picture.tiles, "Repeats of the map per axis (default 1)")->check(CLI::Range(1, 1000));
+    app.add_flag("--endless", picture.endless, "A plane without border (repeated maps)");
+    app.add_option_function<std::string>(
+           "--size", [&picture](const std::string& text) { parse_size(text, picture); },
+           "Picture in pixels (default 1024x768)")
+        ->type_name("WxH");
+    app.add_option("--supersample", picture.supersample, "Rays per pixel and axis (default 1)")->check(CLI::Range(1, 8));
+}
+
+} // namespace
+
+void RenderCommand::add_to(CLI::App& app) {
+    app.add_option("MAP", options_.file, "A baked map")->required();
+    app.add_option("-o,--output", options_.output, "Picture to write, PNG")->required()->type_name("PNG");
+    add_view_options(app, options_.picture);
+    app.option_defaults()->group("Technique");
+    add_choice(app, "--technique", options_.picture.technique, technique_words, "How rays are followed (default cone)");
+    app.add_flag("--exact-finish", options_.picture.exact_finish,
+                 "Cone: solve the bilinear patch in the cell reached");
+    app.add_option("--steps", options_.steps, "Longest march, or steps of the linear search (default 256, 64)")
+        ->check(CLI::Range(1, 100000));
+    app.add_flag("--shadow", options_.shadow, "March to the sun too");
+    add_choice(app, "--renderer", options_.backend, renderer_words, "Who draws (default osmesa)");
+    app.option_defaults()->group("Map");
+    add_map_hints(app, options_.hints);
+}
+
+Result<void> RenderCommand::run() {
+    if (options_.picture.exact_finish && options_.picture.technique != Technique::cone)
+        return fail(ErrorCode::usage, "--exact-finish needs --technique cone");
+    const Result<ReliefMap> map = read_map(options_.file, options_.hints);
+    if (!map) return tl::unexpected(map.error());
+
+    RenderOptions picture = options_.picture;
+    picture.max_steps = options_.steps.value_or(picture.max_steps);
+    picture.linear_steps = options_.steps.value_or(picture.linear_steps);
+    picture.shadow_steps = options_.shadow ? shadow_steps : 0;
+    const Result<Rendering> rendering = render(*map, picture, options_.backend);
+    if (!rendering) return tl::unexpected(rendering.error());
+    const RgbImage& colour = rendering->colour;
+    return write_png(options_.output, colour.width, colour.height, 3, colour.rgb);
+}
+
+} // namespace reliefbake

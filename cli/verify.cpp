@@ -1,0 +1,107 @@
+#include "cli/verify.h"
+
+#include "cli/map_hint_options.h"
+#include "cli/range_option.h"
+#include "cli/render_choices.h"
+#include "cli/thread_option.h"
+#include "cli/verify_text.h"
+#include "formats/write_image.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace reliefbake {
+
+namespace {
+
+/// FOLDER/view-ANGLE-AZIMUTH-{rendering,oracle,error,steps}.png
+Result<void> write_pictures(const std::string& folder, const VerifyReport& report) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return fail(ErrorCode::cannot_create, folder + ": cannot create the folder: " + error.message());
+    for (const ViewReport& view : report.views) {
+        char stem[64];
+        std::snprintf(stem, sizeof stem, "view-%02.0f-%03.0f-", view.angle, view.azimuth);
+        const std::pair<const char*, const RgbImage&> pictures[] = {{"rendering", view.pictures->rendering},
+                                                                    {"oracle", view.pictures->oracle},
+                                                                    {"error", view.pictures->error},
+                                                                    {"steps", view.pictures->steps}};
+        for (const auto& [name, picture] : pictures) {
+            const std::filesystem::path path = std::filesystem::path(folder) / (std::string(stem) + name + ".png");
+            Result<void> written = write_png(path, picture.width, picture.height, 3, picture.rgb);
+            if (!written) return written;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+void VerifyCommand::add_to(CLI::App& app) {
+    app.add_option("MAP", options_.file, "A baked map")->required();
+    app.add_flag("--json", options_.json, "Print one object (docs/FORMATS.md)");
+    app.add_option("--pictures", options_.pictures, "Folder for pictures of every view: rendering, oracle, error, steps")
+        ->type_name("DIR");
+    app.option_defaults()->group("Source");
+    app.add_option("--source", options_.source, "Height map to compare the stored depth with")->type_name("HEIGHT");
+    app.add_option("--channel", options_.read.channel, "Its channel (default: the only one, else luminance)");
+    add_choice(app, "--input", options_.height.input, input_words, "What white means in it (default height)");
+    add_range_option(app, options_.height);
+    app.option_defaults()->group("Effort");
+    app.add_option("--rays", options_.verify.rays, "Rays over all views, about (default 300000)")
+        ->check(CLI::Range(100, 100000000));
+    app.add_option("--points", options_.verify.points, "Points of the direct check (default 20000)")
+        ->check(CLI::Range(0, 100000000));
+    app.add_option("--seed", options_.verify.seed, "Of the direct check (default 1)");
+    add_thread_option(app, options_.verify.threads);
+    app.option_defaults()->group("Technique");
+    add_choice(app, "--technique", options_.verify.technique, technique_words, "How rays are followed (default cone)");
+    app.add_flag("--exact-finish", options_.verify.exact_finish, "Cone: solve the bilinear patch in the cell reached");
+    app.add_option("--steps", options_.verify.max_steps, "Longest march (default 512)")->check(CLI::Range(1, 100000));
+    add_choice(app, "--filter", options_.verify.filter, filter_words,
+               "Weights of the sampler: float, or 8-bit fixed point (default float)");
+    add_choice(app, "--renderer", options_.verify.backend, renderer_words, "Who draws (default osmesa)");
+    app.option_defaults()->group("Map");
+    add_map_hints(app, options_.hints);
+}
+
+Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
+    const Result<SourceImage> image = read_image(options_.source, options_.read);
+    if (!image) return tl::unexpected(image.error());
+    const Result<CheckedHeight> height =
+        make_height_field(image->plane, image->is_integer, options_.height, options_.source);
+    if (!height) return tl::unexpected(height.error());
+    return quantise_depth(height->field, map.info.bits);
+}
+
+Result<void> VerifyCommand::run() {
+    VerifyOptions options = options_.verify;
+    if (options.exact_finish && options.technique != Technique::cone)
+        return fail(ErrorCode::usage, "--exact-finish needs --technique cone");
+    const Result<int> threads = resolve_threads(options.threads);
+    if (!threads) return tl::unexpected(threads.error());
+    options.threads = *threads;
+    options.pictures = !options_.pictures.empty();
+    const Result<ReliefMap> map = read_map(options_.file, options_.hints);
+    if (!map) return tl::unexpected(map.error());
+    DepthMap source;
+    if (!options_.source.empty()) {
+        Result<DepthMap> read = read_source(*map);
+        if (!read) return tl::unexpected(read.error());
+        source = std::move(*read);
+        options.source = &source;
+    }
+
+    const Result<VerifyReport> report = verify(*map, options);
+    if (!report) return tl::unexpected(report.error());
+    std::fputs((options_.json ? to_json(*report).dump(2) + "\n" : verify_text(*report)).c_str(), stdout);
+    if (options.pictures) {
+        const Result<void> written = write_pictures(options_.pictures, *report);
+        if (!written) return written;
+    }
+    if (report->verdict != Verdict::unsafe) return {};
+    return fail(ErrorCode::verification, options_.file + ": unsafe: bake it again, or see which metric, surface and "
+                                                         "encoding it was made for (reliefbake explain)");
+}
+
+} // namespace reliefbake

@@ -1,0 +1,33 @@
+#pragma once
+// reliefbake verify MAP
+
+#include "cli/command.h"
+#include "formats/map_file.h"
+#include "formats/read_image.h"
+#include "shaders-reference/measure/verify.h"
+
+#include <string>
+
+namespace reliefbake {
+
+class VerifyCommand : public Command {
+  public:
+    void add_to(CLI::App& app) override;
+    Result<void> run() override;
+
+  private:
+    Result<DepthMap> read_source(const ReliefMap& map) const;
+
+    struct Options {
+        std::string file;
+        std::string source;   ///< the height map that the map was baked from
+        ReadOptions read;
+        HeightOptions height; ///< of the source
+        std::string pictures; ///< folder
+        MapHints hints;
+        VerifyOptions verify;
+        bool json = false;
+    } options_;
+};
+
+} // namespace reliefbake

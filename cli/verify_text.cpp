@@ -1,0 +1,46 @@
+#include "cli/verify_text.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace reliefbake {
+
+namespace {
+
+[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+    return whole > 0 ? 100 * double(part) / double(whole) : 0;
+}
+
+std::string rays_line(const char* label, const Comparison& rays) {
+    return line("%-12s %8llu %9.4f %9.4f %10.2e %7.1f %6.0f %8.1f\n", label,
+                static_cast<unsigned long long>(rays.rays), percent(rays.missed, rays.rays),
+                percent(rays.early, rays.rays), rays.mse, rays.steps_mean, rays.steps_max, rays.fetches_mean);
+}
+
+} // namespace
+
+std::string verify_text(const VerifyReport& report) {
+    std::string text = "view              rays  missed %   early %        mse   steps    max  fetches\n";
+    for (const ViewReport& view : report.views)
+        text += rays_line(line("%2.0f deg @ %3.0f", view.angle, view.azimuth).c_str(), view.comparison);
+    text += rays_line("all", report.total);
+    text += line("cones: %llu of %llu points violated; worst cone reaches %.6f of its limit at u %.6f, v %.6f\n",
+                 static_cast<unsigned long long>(report.cones.violations),
+                 static_cast<unsigned long long>(report.cones.points), report.cones.worst, report.cones.u,
+                 report.cones.v);
+    text += line("tightness: %.4f of the best one value per texel can do\n", report.tightness);
+    if (report.depth_difference)
+        text += line("depth: at most %.3e from the source\n", *report.depth_difference);
+    return text + "verdict: " + to_string(report.verdict) + "\n";
+}
+
+} // namespace reliefbake

@@ -1,0 +1,13 @@
+#pragma once
+// A verification as a person reads it.
+
+#include "shaders-reference/measure/verify.h"
+
+#include <string>
+
+namespace reliefbake {
+
+/// A table of the views, then one line each for rays, cones, tightness and the verdict.
+std::string verify_text(const VerifyReport& report);
+
+} // namespace reliefbake
