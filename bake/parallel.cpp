@@ -2,6 +2,7 @@
 
 #include <sched.h>
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -19,6 +20,8 @@ void parallel_for(int count, int threads, const std::function<void(int)>& body) 
         for (int i = 0; i < count; ++i) body(i);
         return;
     }
+    // More threads than cores are the caller's choice; without this TBB warns on stderr and refuses.
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
     tbb::task_arena arena(threads);
     arena.execute([&] { tbb::parallel_for(0, count, body); });
 }

@@ -12,8 +12,22 @@ double length(Metric metric, double dx, double dy) {
     return metric == Metric::l1 ? std::abs(dx) + std::abs(dy) : std::hypot(dx, dy);
 }
 
-double dense_cone(const BilinearSurface& surface, double u, double v, double ratio_max, int headings) {
+/// Exact cone of one surface point against texel centres near and far, which headings may miss.
+double cone_to_texels(const BilinearSurface& surface, double u, double v, double ratio_max) {
+    const TexelGrid& grid = surface.grid();
+    const double height = surface.height(u, v), x = surface.to_x(u), y = surface.to_y(v);
+    const int tiles_x = grid.wrap_x == Wrap::repeat ? 1 : 0, tiles_y = grid.wrap_y == Wrap::repeat ? 1 : 0;
     double ratio = ratio_max;
+    for (int b = -tiles_y * grid.height; b < (1 + tiles_y) * grid.height; ++b)
+        for (int a = -tiles_x * grid.width; a < (1 + tiles_x) * grid.width; ++a) {
+            const double rise = surface.texel(a, b) - height;
+            if (rise > 1e-9) ratio = std::min(ratio, std::hypot((a - x) * grid.pitch_x(), (b - y) * grid.pitch_y()) / rise);
+        }
+    return ratio;
+}
+
+double dense_cone(const BilinearSurface& surface, double u, double v, double ratio_max, int headings) {
+    double ratio = cone_to_texels(surface, u, v, ratio_max);
     const double rise = surface.highest() - surface.height(u, v);
     for (int k = 0; k < headings; ++k) {
         const Heading heading = Heading::from_angle(2 * 3.14159265358979323846 * k / headings);
@@ -94,20 +108,25 @@ Image<float> minimum_3x3(const Image<float>& values, const TexelGrid& grid) {
 Image<float> footprint_cones(const DepthMap& depth, double ratio_max, int steps, int headings) {
     const TexelGrid& grid = depth.grid;
     const BilinearSurface surface(depth);
-    // Point (a, b) lies a / steps texels right of the centre of texel -1, and so covers a border of one texel.
-    Image<double> points((grid.width + 1) * steps + 1, (grid.height + 1) * steps + 1);
+    // Each cell has its own points, just inside its walls: a point *on* a wall may round into the next cell and take a
+    // slope from there. Cell 0 lies left of texel 0.
+    const int side = steps + 1;
+    const auto texel_at = [&](int a) {
+        const double within = double(a % side) / steps;
+        return a / side - 1 + std::clamp(within, 1e-7, 1 - 1e-7);
+    };
+    Image<double> points((grid.width + 1) * side, (grid.height + 1) * side);
     for (int b = 0; b < points.height(); ++b)
         for (int a = 0; a < points.width(); ++a) {
-            const double u = (double(a) / steps - 0.5) / grid.width;
-            const double v = (double(b) / steps - 0.5) / grid.height;
+            const double u = (texel_at(a) + 0.5) / grid.width, v = (texel_at(b) + 0.5) / grid.height;
             points(a, b) = dense_cone(surface, u, v, ratio_max, headings);
         }
     Image<float> cones(grid.width, grid.height);
     for (int j = 0; j < grid.height; ++j)
         for (int i = 0; i < grid.width; ++i) {
             double least = ratio_max;
-            for (int b = j * steps; b <= (j + 2) * steps; ++b)
-                for (int a = i * steps; a <= (i + 2) * steps; ++a) least = std::min(least, points(a, b));
+            for (int b = j * side; b < (j + 2) * side; ++b)
+                for (int a = i * side; a < (i + 2) * side; ++a) least = std::min(least, points(a, b));
             for (int b = j - 1; b <= j; ++b)
                 for (int a = i - 1; a <= i; ++a) least = std::min(least, 1 / steepest_gradient(surface, a, b));
             cones(i, j) = float(least);
