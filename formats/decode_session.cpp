@@ -3,6 +3,7 @@
 #include "formats/claims_json.h"
 #include "formats/header_facts.h"
 #include "formats/shared_memory.h"
+#include "formats/tiff_facts.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,6 +14,11 @@
 
 namespace reliefbake {
 
+struct DecodeSession::InputFile {
+    UniqueFd fd;
+    std::uint64_t bytes;
+};
+
 namespace {
 
 /// Libraries' scratch memory beside the pixels: line buffers, zlib, one EXR chunk.
@@ -21,22 +27,17 @@ constexpr std::uint64_t scratch_memory = 160ull << 20;
 /// Processor time for decoding: a slow codec delivers 16 MiB of samples a second, and a second to get going.
 int decode_seconds(std::uint64_t bytes) { return int(2 + bytes / (16ull << 20)); }
 
-struct InputFile {
-    UniqueFd fd;
-    std::uint64_t bytes;
-};
-
-Result<InputFile> open_input(const std::filesystem::path& path) {
+Result<DecodeSession::InputFile> open_input(const std::filesystem::path& path) {
     // O_NONBLOCK: opening a FIFO must not wait for a writer.
     UniqueFd fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
     if (!fd || ::fstat(fd.get(), &status) != 0)
         return fail(ErrorCode::no_input, path.string() + ": cannot open: " + std::generic_category().message(errno));
     if (!S_ISREG(status.st_mode)) return fail(ErrorCode::no_input, path.string() + ": is not a regular file");
-    return InputFile{std::move(fd), std::uint64_t(status.st_size)};
+    return DecodeSession::InputFile{std::move(fd), std::uint64_t(status.st_size)};
 }
 
-Result<ImageFormat> format_of(const InputFile& file, const std::filesystem::path& path) {
+Result<ImageFormat> format_of(const DecodeSession::InputFile& file, const std::filesystem::path& path) {
     std::array<std::byte, 18> head;
     const ssize_t size = ::pread(file.fd.get(), head.data(), head.size(), 0);
     if (size < 0) return fail(ErrorCode::no_input, path.string() + ": cannot read: " + std::generic_category().message(errno));
@@ -70,11 +71,22 @@ Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std
     auto claims = claims_from_json(answer->body);
     if (!claims) return fail(ErrorCode::bad_data, session.name_ + ": the image helper's answer makes no sense");
     session.claims_ = std::move(*claims);
-    if (*format == ImageFormat::png && png_has_srgb_chunk(file->fd.get())) session.claims_.srgb_tagged = true;
-
     if (Result<void> checked = check_claims(session.claims_, file->bytes, max_bytes, planes, session.name_); !checked)
         return tl::unexpected(checked.error());
+    if (Result<void> whole = session.look_closer(*file); !whole) return tl::unexpected(whole.error());
     return session;
+}
+
+Result<void> DecodeSession::look_closer(const InputFile& file) {
+    const auto truncated = [&] { return fail(ErrorCode::bad_data, name_ + ": is truncated: pixels lie past its end"); };
+    if (format_ == ImageFormat::png && png_has_srgb_chunk(file.fd.get())) claims_.srgb_tagged = true;
+    if (format_ == ImageFormat::jpeg && !jpeg_has_end(file.fd.get(), file.bytes)) return truncated();
+    if (format_ == ImageFormat::tiff) {
+        const TiffFacts facts = read_tiff_facts(file.fd.get(), file.bytes);
+        if (!facts.pixels_in_file) return truncated();
+        no_data_ = facts.no_data;
+    }
+    return {};
 }
 
 Result<void> DecodeSession::read(std::span<const int> channels, const TakeRows& take) {

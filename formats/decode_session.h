@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -22,6 +23,7 @@ class DecodeSession {
 
     const ImageClaims& claims() const { return claims_; }
     ImageFormat format() const { return format_; }
+    std::optional<float> no_data() const { return no_data_; } ///< GeoTIFF GDAL_NODATA
 
     /// Receives rows [y, y + rows) of the channels asked for, interleaved.
     using TakeRows = std::function<void(int y, int rows, const float* samples)>;
@@ -30,12 +32,16 @@ class DecodeSession {
     /// floats as stored. Memory here: one block of about 4 MiB. Once per session. Errors: bad_data.
     Result<void> read(std::span<const int> channels, const TakeRows& take);
 
+    struct InputFile;
+
   private:
     DecodeSession() = default;
+    Result<void> look_closer(const InputFile& file);
 
     std::string name_;
     ImageFormat format_{};
     ImageClaims claims_;
+    std::optional<float> no_data_;
     std::uint64_t memory_ = 0;
     std::unique_lock<std::mutex> lock_;
 };

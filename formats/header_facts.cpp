@@ -1,7 +1,8 @@
 #include "formats/header_facts.h"
 
-#include <cstdint>
+#include <algorithm>
 #include <cstring>
+#include <string>
 
 #include <unistd.h>
 
@@ -20,6 +21,14 @@ bool png_has_srgb_chunk(int fd) {
         at += 12 + std::int64_t(length);
     }
     return false;
+}
+
+bool jpeg_has_end(int fd, std::uint64_t file_bytes) {
+    std::string tail(std::min<std::uint64_t>(file_bytes, 64 * 1024), '\0');
+    const ssize_t size = ::pread(fd, tail.data(), tail.size(), off_t(file_bytes - tail.size()));
+    // Neither marker can occur in compressed data; an end before the last scan's start is a thumbnail's.
+    const std::size_t end = tail.rfind("\xff\xd9"), last_scan = tail.rfind("\xff\xda");
+    return size == ssize_t(tail.size()) && end != tail.npos && (last_scan == tail.npos || last_scan < end);
 }
 
 } // namespace reliefbake

@@ -72,6 +72,7 @@ Result<SourceImage> read_image(const std::filesystem::path& path, const ReadOpti
     image.is_integer = is_integer(claims.sample);
     image.bit_depth = claims.bit_depth;
     image.srgb_tagged = claims.srgb_tagged;
+    image.no_data = session->no_data();
 
     // Take the rows.
     image.plane = Image<float>(int(claims.width), int(claims.height));

@@ -80,6 +80,29 @@ TEST_CASE("a single row of doubles, which OpenImageIO answers with zeros, is ref
     CHECK(read_image(folder / "t.tif", {}).error().code == ErrorCode::bad_data);
 }
 
+TEST_CASE("a TIFF without all of its pixels is refused, a no-data value is found") {
+    TemporaryFolder folder;
+    const std::string whole = tiff(32, 3, 2, 2, raw<float>({1, 2, 3, 4}));
+    std::string lying = whole;
+    const std::size_t strip_bytes = lying.find(std::string("\x17\x01\x04\0", 4)); // tag 279, LONG
+    REQUIRE(strip_bytes != std::string::npos);
+    lying[strip_bytes + 9] = 1; // 16 bytes become 272, more than the file has
+    write_bytes(folder / "cut.tif", lying);
+    CHECK(read_image(folder / "cut.tif", {}).error().message.find("truncated") != std::string::npos);
+
+    // Tag 42113, ASCII, 4 bytes, in place of SampleFormat's neighbour: one more entry at the directory's end.
+    std::string with_no_data = whole;
+    const std::size_t directory = 8 + 16;
+    with_no_data[directory] = 11;
+    with_no_data.insert(with_no_data.size() - 4, std::string("\x81\xa4\x02\0\x04\0\0\0-99\0", 12));
+    write_bytes(folder / "nodata.tif", with_no_data);
+    const Result<SourceImage> image = read_image(folder / "nodata.tif", {});
+    REQUIRE(image);
+    CHECK(image->no_data == -99.0f);
+    write_bytes(folder / "whole.tif", whole);
+    CHECK_FALSE(read_image(folder / "whole.tif", {})->no_data);
+}
+
 TEST_CASE("Netpbm files: maximum value, byte order, row order") {
     TemporaryFolder folder;
     write_bytes(folder / "a.pgm", "P2\n3 1\n255\n0 51 255\n");
