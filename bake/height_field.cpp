@@ -1,7 +1,6 @@
 #include "bake/height_field.h"
 
 #include "bake/bad_texels.h"
-#include "bake/seam.h"
 
 #include <algorithm>
 #include <charconv>
@@ -104,7 +103,7 @@ class HeightMapping {
     bool flat_;
 };
 
-Wrap resolve_wrap(WrapChoice choice, double seam) {
+Wrap resolve_wrap(WrapChoice choice, const Seam& seam) {
     if (choice == WrapChoice::automatic) return wrap_for_seam(seam);
     return choice == WrapChoice::repeat ? Wrap::repeat : Wrap::clamp;
 }

@@ -4,6 +4,7 @@
 #include "bake/bit_depth.h"
 #include "bake/error.h"
 #include "bake/image.h"
+#include "bake/seam.h"
 #include "bake/texel_grid.h"
 
 #include <optional>
@@ -23,11 +24,11 @@ struct HeightOptions {
                                             ///< all lie in 0..1, else as `data`. `data`: smallest..largest
                                             ///< finite value; a flat source becomes height 1. `fixed`:
                                             ///< range_low..range_high, and a value outside is an error
-    float range_low = 0;              ///< source value that becomes height 0
-    float range_high = 1;             ///< source value that becomes height 1
-    NanPolicy nan = NanPolicy::error; ///< what NaN, Inf and no-data values do (--nan)
-    std::optional<float> no_data;     ///< source value that means "no sample here" (file metadata, --no-data)
-    double scale = 1;                 ///< height' = scale * height + bias (001 sec. 2.2); must stay in 0..1
+    float range_low = 0;                    ///< source value that becomes height 0
+    float range_high = 1;                   ///< source value that becomes height 1
+    NanPolicy nan = NanPolicy::error;       ///< what NaN, Inf and no-data values do (--nan)
+    std::optional<float> no_data; ///< source value that means "no sample here" (file metadata, --no-data)
+    double scale = 1;             ///< height' = scale * height + bias (001 sec. 2.2); must stay in 0..1
     double bias = 0;
     WrapChoice wrap_x = WrapChoice::automatic; ///< (--wrap)
     WrapChoice wrap_y = WrapChoice::automatic;
@@ -53,7 +54,7 @@ struct HeightReport {
     double range_low = 0, range_high = 1;   ///< source values that became height 0 and 1
     bool range_from_data = false;           ///< they are source_low and source_high
     std::size_t bad_texels = 0;             ///< NaN, Inf or no-data, filled
-    double seam_x = 0, seam_y = 0; ///< mean |first - last| over the mean neighbour difference; about 1 tiles
+    Seam seam_x, seam_y;                    ///< the border's step against those inside
 };
 
 struct CheckedHeight {

@@ -1,43 +1,45 @@
 #include "bake/seam.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace reliefbake {
 
 namespace {
 
-double row_step(const float* a, const float* b, int count) {
-    double sum = 0;
-    for (int x = 0; x < count; ++x)
-        sum += std::fabs(double(a[x]) - double(b[x]));
-    return sum;
-}
+constexpr double widest_seam = 3;
 
-double column_steps(const float* row, int count) {
-    double sum = 0;
-    for (int x = 1; x < count; ++x)
-        sum += std::fabs(double(row[x]) - double(row[x - 1]));
-    return sum;
-}
-
-/// Ratio of the means: `border` sums one step per line, `inside` sums steps - 1 of them.
-double seam(double border, double inside, int texels) {
-    return inside > 0 ? border * (texels - 1) / inside : 0;
+/// steps[i]: summed |difference| of lines i and i + 1; the last one is the border's.
+Seam seam_of(const std::vector<double>& steps) {
+    double sum = 0, largest = 0;
+    for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+        sum += steps[i];
+        largest = std::max(largest, steps[i]);
+    }
+    if (!(sum > 0)) return {};
+    const double mean = sum / double(steps.size() - 1);
+    return {steps.back() / mean, largest / mean};
 }
 
 } // namespace
 
 Seams measure_seams(const Image<float>& plane) {
     const int width = plane.width(), height = plane.height();
-    double border_x = 0, inside_x = 0, inside_y = 0;
+    std::vector<double> across(width, 0.0), down(height, 0.0);
     for (int y = 0; y < height; ++y) {
         const float* row = plane.row(y);
-        border_x += std::fabs(double(row[0]) - double(row[width - 1]));
-        inside_x += column_steps(row, width);
-        if (y > 0) inside_y += row_step(row, plane.row(y - 1), width);
+        const float* below = plane.row(y + 1 < height ? y + 1 : 0);
+        for (int x = 0; x < width; ++x) {
+            across[x] += std::fabs(double(row[x + 1 < width ? x + 1 : 0]) - double(row[x]));
+            down[y] += std::fabs(double(below[x]) - double(row[x]));
+        }
     }
-    const double border_y = row_step(plane.row(0), plane.row(height - 1), width);
-    return {seam(border_x, inside_x, width), seam(border_y, inside_y, height)};
+    return {seam_of(across), seam_of(down)};
+}
+
+Wrap wrap_for_seam(const Seam& seam) {
+    return seam.border < widest_seam || seam.border <= seam.steepest ? Wrap::repeat : Wrap::clamp;
 }
 
 } // namespace reliefbake

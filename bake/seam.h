@@ -6,18 +6,23 @@
 
 namespace reliefbake {
 
-/// Mean |first - last| column (row) over the mean difference of neighbours along that axis. About 1 where a
-/// map tiles; 0 on an axis without any step.
-struct Seams {
-    double x = 0, y = 0;
+/// Steps along one axis, as multiples of the mean step between neighbouring columns (rows); 0 on an axis
+/// without any.
+struct Seam {
+    double border = 0;   ///< from the last column (row) to the first
+    double steepest = 0; ///< the largest between two neighbouring ones inside
 };
 
+struct Seams {
+    Seam x, y;
+};
+
+/// A step between two columns (rows) is the mean |difference| of their texels.
 Seams measure_seams(const Image<float>& plane);
 
-/// Repeat below this seam, clamp from it on. Of 20 real maps whose kind is known, those that tile have seams
-/// up to 2.4 (hand-made 8-bit stone walls), those that do not from 4.9 (docs/TERMINOLOGY.md, seam).
-inline constexpr double seam_threshold = 3;
-
-inline Wrap wrap_for_seam(double seam) { return seam < seam_threshold ? Wrap::repeat : Wrap::clamp; }
+/// Repeat where the border is no steeper than 3 mean steps, or than some place inside (a tile's edge may run
+/// along the border); else clamp. Of 20 real maps whose kind is known, those that tile have borders up to 2.4
+/// mean steps (hand-made 8-bit stone walls), those that do not from 4.9, each steeper than all inside.
+Wrap wrap_for_seam(const Seam& seam);
 
 } // namespace reliefbake

@@ -2,9 +2,9 @@
 
 #include "bake/normal_map.h"
 #include "cli/assemble_map.h"
-#include "cli/code_advice.h"
 #include "cli/cone_info.h"
 #include "cli/cone_report.h"
+#include "cli/cone_warnings.h"
 #include "cli/stage_clock.h"
 #include "formats/map_file.h"
 
@@ -32,22 +32,10 @@ ConeMap bake_timed_cones(const DepthMap& depth, const ConeOptions& options, Stag
     return cones;
 }
 
-std::vector<std::string> warnings_about(const SourceImage& source, const DepthMap& depth,
-                                        const ConeMap& cones, const EncodedConeMap& encoded) {
-    std::vector<std::string> warnings;
-    if (source.srgb_tagged)
-        warnings.push_back("the source is tagged sRGB; its codes were taken as heights, as they stand");
-    if (encoded.zero_codes > 0)
-        warnings.push_back(std::to_string(encoded.zero_codes) +
-                           " texels have cone code 0, where a ray goes on cell by cell; " +
-                           better_codes(cones, depth, encoded));
-    return warnings;
-}
-
 void print(const ConeRun& run) {
     const ConeCommandOptions& given = run.plan.given;
     for (const std::string& warning : run.warnings)
-        std::fprintf(stderr, "reliefbake cone: warning: %s: %s\n", given.input.c_str(), warning.c_str());
+        std::fprintf(stderr, "reliefbake cone: warning: %s\n", warning.c_str());
     if (given.quiet) return;
     std::fputs((given.json ? cone_result_text(run) : cone_summary(run)).c_str(), stdout);
 }
@@ -87,8 +75,8 @@ Result<void> ConeCommand::bake(const ConePlan& plan) {
     const Result<void> written = clock.time("write", [&] { return write_map(given.output, map); });
     if (!written) return written;
     clock.stop();
-    print({plan, *source, height->report, info, depth.grid, warnings_about(*source, depth, cones, encoded),
-           clock.seconds()});
+    print({plan, *source, height->report, info, depth.grid,
+           cone_warnings(given, *source, depth, cones, encoded), clock.seconds()});
     return {};
 }
 

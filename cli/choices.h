@@ -34,6 +34,21 @@ inline const Words<ChannelLayout> layout_words = {{"rgba", ChannelLayout::rgba},
 inline const Words<InputKind> input_words = {{"height", InputKind::height}, {"depth", InputKind::depth}};
 inline const Words<NanPolicy> nan_words = {{"error", NanPolicy::error}, {"fill", NanPolicy::fill}};
 
+/// How a channel is stored, for people.
+inline const char* storage_words(BitDepth bits) {
+    switch (bits) {
+    case BitDepth::unorm8:
+        return "8-bit codes";
+    case BitDepth::unorm16:
+        return "16-bit codes";
+    case BitDepth::half:
+        return "halfs";
+    case BitDepth::float32:
+        return "floats";
+    }
+    return "";
+}
+
 /// The word for a value; `words` must hold it.
 template <class T>
 const std::string& word_of(const Words<T>& words, T value) {

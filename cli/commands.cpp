@@ -1,6 +1,7 @@
 #include "cli/command.h"
 
 #include "cli/bake_cone.h"
+#include "cli/bench_cone.h"
 #include "cli/explain.h"
 #include "cli/render.h"
 #include "cli/verify.h"
@@ -16,6 +17,7 @@ std::unique_ptr<Command> make() {
 
 constexpr CommandEntry all_commands[] = {
     {"cone", "Bake a height map into a cone map (normal, cone, depth)", make<ConeCommand>},
+    {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"verify", "Judge a baked map against an exact oracle", make<VerifyCommand>},

@@ -12,64 +12,62 @@ namespace reliefbake {
 namespace {
 
 void add_source_options(CLI::App& app, ConeCommandOptions& o) {
-    CLI::App& group = *app.add_option_group("Source");
-    group.add_option("--channel", o.read.channel,
-                     "R|G|B|A|Y (luminance) or a channel's name (default: the only channel, else luminance)");
-    add_choice(group, "--input", o.height.input, input_words, "What white means (default height)");
-    add_range_option(group, o.height);
+    app.option_defaults()->group("Source");
+    app.add_option("--channel", o.read.channel,
+                   "R|G|B|A|Y (luminance) or a channel's name (default: the only channel, else luminance)");
+    add_choice(app, "--input", o.height.input, input_words, "What white means (default height)");
+    add_range_option(app, o.height);
     add_choice(
-        group, "--nan", o.height.nan, nan_words,
+        app, "--nan", o.height.nan, nan_words,
         "NaN, Inf and no-data texels: refuse the file, or fill from the nearest texel (default error)");
-    add_number(group, "--no-data", o.height.no_data, finite_number,
+    add_number(app, "--no-data", o.height.no_data, finite_number,
                "Value that means 'no sample here' (default: the file's own)");
-    add_number(group, "--scale", o.height.scale, finite_number,
+    add_number(app, "--scale", o.height.scale, finite_number,
                "height = scale * height + bias; must stay in 0..1");
-    add_number(group, "--bias", o.height.bias, finite_number, "See --scale");
-    add_wrap_option(group, o.height.wrap_x, o.height.wrap_y);
-    add_byte_budget(group, o.read.max_bytes);
+    add_number(app, "--bias", o.height.bias, finite_number, "See --scale");
+    add_wrap_option(app, o.height.wrap_x, o.height.wrap_y);
+    add_byte_budget(app, o.read.max_bytes);
 }
 
 void add_physical_options(CLI::App& app, ConeCommandOptions& o) {
-    CLI::App& group = *app.add_option_group("Proportions");
-    CLI::Option* uv = add_number(group, "--depth-uv", o.depth_uv, positive_number,
+    app.option_defaults()->group("Proportions");
+    CLI::Option* uv = add_number(app, "--depth-uv", o.depth_uv, positive_number,
                                  "Depth of the relief in texture widths (default 0.1)");
-    CLI::Option* size = add_length(group, "--size", o.size_metres, "Width of the texture, e.g. 2m");
-    CLI::Option* depth = add_length(group, "--depth", o.depth_metres, "Depth of the relief, e.g. 10cm");
+    CLI::Option* size = add_length(app, "--size", o.size_metres, "Width of the texture, e.g. 2m");
+    CLI::Option* depth = add_length(app, "--depth", o.depth_metres, "Depth of the relief, e.g. 10cm");
     size->needs(depth)->excludes(uv);
     depth->needs(size)->excludes(uv);
-    add_number(group, "--pixel-aspect", o.height.pixel_aspect, positive_number,
+    add_number(app, "--pixel-aspect", o.height.pixel_aspect, positive_number,
                "Height of a texel divided by its width (default 1)");
 }
 
 void add_bake_options(CLI::App& app, ConeCommandOptions& o) {
-    CLI::App& group = *app.add_option_group("Bake");
-    add_choice(group, "--surface", o.cone.surface, surface_words,
+    app.option_defaults()->group("Bake");
+    add_choice(app, "--surface", o.cone.surface, surface_words,
                "Surface that no cone may touch (default bilinear: as a GPU filters it)");
-    add_choice(group, "--metric", o.cone.metric, metric_words,
+    add_choice(app, "--metric", o.cone.metric, metric_words,
                "How horizontal distance is measured (default l2)");
-    add_number(group, "--tolerance", o.cone.tolerance, fraction_number,
+    add_number(app, "--tolerance", o.cone.tolerance, fraction_number,
                "How much narrower than exact a cone may be, relative, for speed (default 0.001)");
-    add_number(group, "--cone-max", o.cone.ratio_max, positive_or_inf,
+    add_number(app, "--cone-max", o.cone.ratio_max, positive_or_inf,
                "Widest cone, texture widths per unit of depth (default 1; inf: encoding normal, or radius in "
                "floats)");
-    add_thread_option(group, o.cone.threads);
+    add_thread_option(app, o.cone.threads);
 }
 
 void add_result_options(CLI::App& app, ConeCommandOptions& o) {
-    CLI::App& group = *app.add_option_group("Result");
-    group.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga")
+    app.option_defaults()->group("Result");
+    app.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga")
         ->required()
         ->type_name("OUT");
-    add_choice(group, "--bits", o.bits, bits_words, "Depth of the channels (default 16; exr: float; tga: 8)");
-    add_choice(group, "--encoding", o.encoding, encoding_words,
-               "Encoding of the cone channel (default sqrt)");
-    add_choice(group, "--normal-y", o.normal_y, normal_y_words,
-               "Direction of the normals' y (default gl: up)");
-    add_choice(group, "--exr-layout", o.layout, layout_words,
+    add_choice(app, "--bits", o.bits, bits_words, "Depth of the channels (default 16; exr: float; tga: 8)");
+    add_choice(app, "--encoding", o.encoding, encoding_words, "Encoding of the cone channel (default sqrt)");
+    add_choice(app, "--normal-y", o.normal_y, normal_y_words, "Direction of the normals' y (default gl: up)");
+    add_choice(app, "--exr-layout", o.layout, layout_words,
                "Channels R,G,B,A or relief.nx, relief.ny, relief.cone, relief.depth (default rgba)");
     CLI::Option* json =
-        group.add_flag("--json", o.json, "Print one result object (cli/schema/cone.schema.json)");
-    group.add_flag("--quiet", o.quiet, "Print nothing unless something is wrong")->excludes(json);
+        app.add_flag("--json", o.json, "Print one result object (cli/schema/cone.schema.json)");
+    app.add_flag("--quiet", o.quiet, "Print nothing unless something is wrong")->excludes(json);
 }
 
 } // namespace

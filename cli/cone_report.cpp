@@ -51,7 +51,7 @@ json cone_result(const ConeRun& run) {
           {"filled_texels", h.bad_texels}}},
         {"range", {{"low", h.range_low}, {"high", h.range_high}, {"from_data", h.range_from_data}}},
         {"wrap", {word_of_wrap(run.grid.wrap_x), word_of_wrap(run.grid.wrap_y)}},
-        {"seam", {h.seam_x, h.seam_y}},
+        {"seam", {h.seam_x.border, h.seam_y.border}},
         {"map", to_json(run.info, run.grid)},
         {"statistics", run.info.statistics},
         {"warnings", run.warnings},
@@ -77,11 +77,10 @@ std::string cone_summary(const ConeRun& run) {
                        "\n" + range_line(run.height);
     text += format("  wrap %s, %s (%s; seam %.2f, %.2f)\n", word_of_wrap(run.grid.wrap_x),
                    word_of_wrap(run.grid.wrap_y), was_chosen(run.plan.given.height) ? "measured" : "as told",
-                   run.height.seam_x, run.height.seam_y);
-    text +=
-        format("  cones %s, %s bits, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
-               word_of(encoding_words, run.info.encoding).c_str(), word_of(bits_words, run.info.bits).c_str(),
-               statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
+                   run.height.seam_x.border, run.height.seam_y.border);
+    text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
+                   word_of(encoding_words, run.info.encoding).c_str(), storage_words(run.info.bits),
+                   statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
     return text +
            format("  %.3g s, %.3g texels/s, %d threads\n", seconds, texels / seconds, run.plan.cone.threads);
 }

@@ -24,24 +24,21 @@ std::string check_channel_order(const std::string& order) {
 } // namespace
 
 void add_map_hints(CLI::App& app, MapHints& hints) {
-    const std::string group = "What the file does not say (wins over its metadata)";
-    CLI::App* flags = app.add_option_group(group);
-    add_choice(*flags, "--encoding", hints.encoding, encoding_words, "Encoding of the cone channel");
-    add_choice(*flags, "--metric", hints.metric, metric_words, "Metric the cones were baked in");
-    add_choice(*flags, "--surface", hints.surface, surface_words, "Surface the cones were baked for");
-    add_wrap_hint(*flags, hints.wrap_x, hints.wrap_y);
-    add_number(*flags, "--cone-max", hints.cone_max, positive_or_inf,
-               "Ratio that the largest code stands for");
-    add_choice(*flags, "--normal-y", hints.normal_y, normal_y_words, "Direction of the normals' y");
-    add_number(*flags, "--depth-uv", hints.depth_scale, positive_number,
+    app.option_defaults()->group("What the file does not say (wins over its metadata)");
+    add_choice(app, "--encoding", hints.encoding, encoding_words, "Encoding of the cone channel");
+    add_choice(app, "--metric", hints.metric, metric_words, "Metric the cones were baked in");
+    add_choice(app, "--surface", hints.surface, surface_words, "Surface the cones were baked for");
+    add_wrap_hint(app, hints.wrap_x, hints.wrap_y);
+    add_number(app, "--cone-max", hints.cone_max, positive_or_inf, "Ratio that the largest code stands for");
+    add_choice(app, "--normal-y", hints.normal_y, normal_y_words, "Direction of the normals' y");
+    add_number(app, "--depth-uv", hints.depth_scale, positive_number,
                "Depth of the relief in texture widths");
-    flags
-        ->add_option("--channel-order", hints.channel_order,
-                     "File channels of normal x, normal y, cone, depth, e.g. RGBA or --BA ('-': absent)")
+    app.add_option("--channel-order", hints.channel_order,
+                   "File channels of normal x, normal y, cone, depth, e.g. RGBA or --BA ('-': absent)")
         ->check(check_channel_order)
         ->type_name("LETTERS");
-    flags->add_flag("--alpha-is-height", hints.alpha_is_height, "The depth channel holds height");
-    add_byte_budget(*flags, hints.max_bytes);
+    app.add_flag("--alpha-is-height", hints.alpha_is_height, "The depth channel holds height");
+    add_byte_budget(app, hints.max_bytes);
 }
 
 } // namespace reliefbake

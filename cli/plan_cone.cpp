@@ -4,8 +4,11 @@
 #include "cli/thread_option.h"
 #include "formats/map_file.h"
 
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
+#include <unistd.h>
 
 namespace reliefbake {
 
@@ -36,6 +39,15 @@ Result<void> validate_output(const ConeCommandOptions& options) {
     return {};
 }
 
+/// Before the work, so that none is lost; the writer checks again.
+Result<void> validate_output_folder(const std::string& output) {
+    const fs::path parent = fs::path(output).parent_path();
+    const fs::path folder = parent.empty() ? "." : parent;
+    if (access(folder.c_str(), W_OK | X_OK) == 0) return {};
+    return fail(ErrorCode::cannot_create, output + ": cannot create a file in " + folder.string() + ": " +
+                                              std::generic_category().message(errno));
+}
+
 /// An unbounded cone has a finite code only as a normal, or as a radius beyond 1 in floats.
 Result<void> validate_cone_max(const ConeCommandOptions& options, BitDepth bits) {
     const bool unbounded_codes = options.encoding == ConeEncoding::normal ||
@@ -62,6 +74,7 @@ Result<ConePlan> plan_cone(const ConeCommandOptions& options) {
     return validate_output(options)
         .and_then([&] { return check_map_format(options.output, plan.bits, plan.layout); })
         .and_then([&] { return validate_cone_max(options, plan.bits); })
+        .and_then([&] { return validate_output_folder(options.output); })
         .and_then([&] { return resolve_threads(options.cone.threads); })
         .map([&](int threads) {
             plan.cone.threads = threads;

@@ -1,0 +1,30 @@
+#pragma once
+// How others bake cone maps, for timing and for counting what their cones get wrong. All scalar, all for the L2 metric.
+
+#include "bake/height_field.h"
+#include "bake/image.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace reliefbake {
+
+/// Cone ratio of one texel, at most ratio_max.
+using TexelBaker = std::function<float(int x, int y)>;
+
+struct Peer {
+    std::string name;
+    std::string source;
+    /// Does the work that all texels share, and returns the rest. The depth must outlive the baker.
+    std::function<TexelBaker(const DepthMap& depth, float ratio_max)> prepare;
+};
+
+/// Brute force: every texel against every other (Dummer 2006).
+Peer brute_force_peer();
+/// Expanding square rings that stop when no higher texel can be near enough: the published way (002 sec. II-B).
+Peer expanding_ring_peer();
+/// The 3 x 3 neighbours on every level of a max mip pyramid (Valasek & Ban 2022): fast, narrower than exact.
+Peer quick_cone_map_peer();
+
+} // namespace reliefbake

@@ -1,0 +1,50 @@
+#include "cli/bench/time_cones.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace reliefbake {
+
+namespace {
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+} // namespace
+
+nlohmann::json time_bake(const DepthMap& depth, const ConeOptions& options, int repeat) {
+    ConeStatistics best;
+    for (int k = 0; k < repeat; ++k) {
+        ConeStatistics run;
+        bake_cones(depth, options, &run);
+        if (k == 0) best = run;
+        best.seconds_near = std::min(best.seconds_near, run.seconds_near);
+        best.seconds_pyramid = std::min(best.seconds_pyramid, run.seconds_pyramid);
+        best.seconds_search = std::min(best.seconds_search, run.seconds_search);
+    }
+    const double texels = double(depth.level.size()), ns = 1e9 / texels;
+    return {{"search_ns_per_texel", (best.seconds_near + best.seconds_pyramid + best.seconds_search) * ns},
+            {"near_ns_per_texel", best.seconds_near * ns},
+            {"pyramid_ns_per_texel", best.seconds_pyramid * ns},
+            {"far_ns_per_texel", best.seconds_search * ns},
+            {"node_tests_per_texel", double(best.node_tests) / texels}};
+}
+
+nlohmann::json time_peer(const Peer& peer, const DepthMap& depth, float ratio_max, double seconds) {
+    double start = now();
+    const TexelBaker bake = peer.prepare(depth, ratio_max);
+    const double shared = now() - start;
+    // A stride that is odd and not near a divisor of the width spreads the texels over rows and columns.
+    const std::size_t count = depth.level.size(), stride = count / 2 + count / 5 + 1 | 1;
+    std::size_t done = 0;
+    volatile float sink = 0;
+    start = now();
+    for (std::size_t k = 0; done < count && (done < 16 || now() - start < seconds); ++done, k = (k + stride) % count)
+        sink = bake(int(k % std::size_t(depth.grid.width)), int(k / std::size_t(depth.grid.width)));
+    (void)sink;
+    const double ns = (now() - start) / double(done) * 1e9 + shared / double(count) * 1e9;
+    return {{"name", peer.name}, {"source", peer.source}, {"ns_per_texel", ns}, {"texels", done}};
+}
+
+} // namespace reliefbake

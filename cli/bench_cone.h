@@ -1,0 +1,42 @@
+#pragma once
+// reliefbake bench cone [FILE | --field NAME --size N]
+
+#include "bake/cone.h"
+#include "bake/simd.h"
+#include "cli/bench/compare_maps.h"
+#include "cli/command.h"
+#include "formats/read_image.h"
+
+#include <string>
+#include <vector>
+
+namespace reliefbake {
+
+class BenchConeCommand : public Command {
+  public:
+    void add_to(CLI::App& app) override;
+    Result<void> run() override;
+
+  private:
+    struct Subject {
+        std::string name;
+        DepthMap depth;
+    };
+
+    Result<std::vector<Subject>> subjects() const;
+    Result<Subject> file_subject() const;
+
+    std::string file_;
+    ReadOptions read_;
+    HeightOptions height_;
+    std::string field_; ///< --field: one synthetic field; with neither FILE nor --field, all of them
+    int size_ = 1024;   ///< --size, of synthetic fields
+    int repeat_ = 5;    ///< --repeat: the fastest run counts
+    ConeOptions cone_;
+    Simd simd_ = Simd::automatic;
+    bool peers_ = false;   ///< --peers: time the ways others bake
+    bool compare_ = false; ///< --compare: what safety costs and what others' maps miss
+    bool json_ = false;
+};
+
+} // namespace reliefbake

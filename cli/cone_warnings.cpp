@@ -1,0 +1,49 @@
+#include "cli/cone_warnings.h"
+
+#include "cli/choices.h"
+#include "formats/map_format.h"
+
+#include <cmath>
+
+namespace reliefbake {
+
+namespace {
+
+std::string more_bits(BitDepth bits) { return bits == BitDepth::unorm8 ? "--bits 16" : "--bits float"; }
+
+/// The encoding that leaves the fewest texels with code 0 at the same depth, or more bits when none leaves
+/// fewer.
+std::string better_codes(const DepthMap& depth, const ConeMap& cones, const EncodedConeMap& encoded) {
+    std::size_t fewest = encoded.zero_codes;
+    std::string better;
+    for (const auto& [word, encoding] : encoding_words) {
+        if (encoding == encoded.encoding || !std::isfinite(encoded.ratio_max)) continue;
+        const std::size_t zeros = encode_cones(cones, depth, {encoding, encoded.bits}).zero_codes;
+        if (zeros >= fewest) continue;
+        fewest = zeros;
+        better = word;
+    }
+    if (better.empty()) return more_bits(encoded.bits) + " loses fewer";
+    return "--encoding " + better + " loses " + std::to_string(fewest);
+}
+
+} // namespace
+
+std::vector<std::string> cone_warnings(const ConeCommandOptions& given, const SourceImage& source,
+                                       const DepthMap& depth, const ConeMap& cones,
+                                       const EncodedConeMap& encoded) {
+    std::vector<std::string> warnings;
+    if (source.srgb_tagged)
+        warnings.push_back(given.input +
+                           ": tagged sRGB, which heights are not; its codes are taken as they stand");
+    if (map_format_of(given.output) == MapFormat::targa)
+        warnings.push_back(given.output +
+                           ": TGA keeps no metadata; whoever reads the map must know what it means");
+    if (encoded.zero_codes > 0)
+        warnings.push_back(given.output + ": " + std::to_string(encoded.zero_codes) +
+                           " texels have cone code 0, where a ray goes on cell by cell; " +
+                           better_codes(depth, cones, encoded));
+    return warnings;
+}
+
+} // namespace reliefbake
