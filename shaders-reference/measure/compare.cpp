@@ -11,7 +11,8 @@ namespace {
 ReliefRay ray_of(const Quad& ray) { return {ray[0], ray[1], 1, ray[2], ray[3], -1}; }
 
 /// Sums over one row; divided only at the end, so that rows may be done in any order.
-Comparison compare_row(const BilinearSurface& surface, const Rendering& rendering, double tolerance, int row) {
+Comparison compare_row(const BilinearSurface& surface, const Rendering& rendering, const CompareOptions& options, int row) {
+    const double raised_by = options.tolerance + 2 * options.filter_delta;
     Comparison sum;
     for (int column = 0; column < rendering.width(); ++column) {
         const std::size_t pixel = std::size_t(row) * std::size_t(rendering.width()) + std::size_t(column);
@@ -21,9 +22,9 @@ Comparison compare_row(const BilinearSurface& surface, const Rendering& renderin
         const Quad& counts = rendering.counts[pixel];
         const double t = counts[3];
 
-        const auto lowered = first_hit(surface, ray, tolerance, t);
+        const auto lowered = first_hit(surface, ray, options.tolerance, t);
         if (lowered && lowered->t < t) ++sum.missed;
-        else if (!first_hit(surface, ray, -tolerance, t)) ++sum.early;
+        else if (!first_hit(surface, ray, -raised_by, t)) ++sum.early;
         const double error = (1 - t) - surface.height(ray.u + t * ray.du, ray.v + t * ray.dv);
         ++sum.rays;
         sum.out_of_steps += status == RayStatus::out_of_steps;
@@ -40,7 +41,7 @@ Comparison compare_row(const BilinearSurface& surface, const Rendering& renderin
 Comparison compare_with_oracle(const BilinearSurface& surface, const Rendering& rendering, const CompareOptions& options) {
     std::vector<Comparison> rows(std::size_t(rendering.height()));
     parallel_for(rendering.height(), options.threads,
-                 [&](int row) { rows[std::size_t(row)] = compare_row(surface, rendering, options.tolerance, row); });
+                 [&](int row) { rows[std::size_t(row)] = compare_row(surface, rendering, options, row); });
     Comparison total;
     for (const Comparison& row : rows) {
         total.rays += row.rays;

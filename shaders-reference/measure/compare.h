@@ -11,13 +11,15 @@ struct CompareOptions {
     /// rounding, up to 2e-7 texture widths for rays a few tiles long: on a cliff of one texel in a 1024 map
     /// that is 2e-4 of height. 1/4096 is a sixteenth of an 8-bit level.
     double tolerance = 1.0 / 4096;
+    /// Largest height error of the sampler; the march subtracts it, so a hit may lie twice as high and not be early.
+    double filter_delta = 0;
     int threads = 0; ///< 0: all; the result does not depend on it
 };
 
 struct Comparison {
     std::uint64_t rays = 0;
     std::uint64_t missed = 0;       ///< the hit lies beyond the first hit on the surface lowered by the tolerance
-    std::uint64_t early = 0;        ///< the hit lies before the first hit on the surface raised by the tolerance
+    std::uint64_t early = 0;        ///< the hit lies before the first hit on the surface raised by the tolerance and 2 filter_delta
     std::uint64_t out_of_steps = 0; ///< marches that never arrived; mostly counted as early too
     double mse = 0;                 ///< mean squared (hit height - surface height at the hit), 001 sec. 4.1
     double steps_mean = 0;

@@ -104,6 +104,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     const std::vector<ViewAngle> views = view_angles();
     CompareOptions compare;
     compare.threads = options.threads;
+    compare.filter_delta = options.filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;
     report.tolerance = compare.tolerance;
     double oracle_seconds = 0;
     for (const ViewAngle& view : views) {

@@ -7,7 +7,7 @@ namespace reliefbake {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-constexpr double frame_margin = 1.12; ///< the whole plane seen from above leaves this much air around it
+constexpr double frame_margin = 1.1; ///< the whole plane leaves this much air around it; its near corners need some
 
 Vec3 scaled(const Vec3& v, double factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
 
@@ -17,7 +17,9 @@ Camera make_camera(const TexelGrid& grid, const View& view, int tiles, double pi
     const double sin_angle = std::sin(view.angle * degree), cos_angle = std::cos(view.angle * degree);
     const double sin_heading = std::sin(view.azimuth * degree), cos_heading = std::cos(view.azimuth * degree);
     const double half = std::tan(0.5 * view.field_of_view * degree);
-    const double plane_span = frame_margin * tiles * std::max(1.0, grid.aspect() * picture_aspect);
+    const double across = std::abs(cos_heading) + std::abs(sin_heading) * grid.aspect();
+    const double ahead = std::abs(sin_heading) + std::abs(cos_heading) * grid.aspect();
+    const double plane_span = frame_margin * tiles * std::max(across, ahead * cos_angle * picture_aspect);
     const double distance = 0.5 * (view.span > 0 ? view.span : plane_span) / half;
 
     Camera camera;

@@ -150,7 +150,7 @@ ReliefMap make_relief_map(const DepthMap& depth, const Image<float>& ratio, doub
     map.info.bits = choices.bits;
     map.info.cone_max = float(ratio_max);
     map.info.depth_scale = depth_scale;
-    map.info.guarantee = "C";
+    map.info.guarantee = std::string("C"); // GCC 12 warns about the plain literal (-Wrestrict, bug 105651)
     map.normal_x = map.normal_y = map.cone = map.depth = Image<float>(grid.width, grid.height);
     const auto height = [&](int i, int j) { return 1 - depth.depth(grid.address_x(i), grid.address_y(j)); };
     const auto packed = [&](double n) { return float(is_unorm(choices.bits) ? 0.5 * n + 0.5 : n); };

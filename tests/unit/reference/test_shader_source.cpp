@@ -48,7 +48,7 @@ TEST_CASE("every shader is valid under all three preludes", "[shaders]") {
     const auto add = [&](const std::string& source, const char* extension) {
         const auto path = folder / (std::to_string(number++) + extension);
         std::ofstream(path) << source;
-        files += " " + path.string();
+        files.append(" ").append(path.string());
     };
     for (const Prelude prelude : preludes) {
         add(vertex_source(prelude), ".vert");
