@@ -36,7 +36,7 @@ nlohmann::json time_peer(const Peer& peer, const DepthMap& depth, float ratio_ma
     const TexelBaker bake = peer.prepare(depth, ratio_max);
     const double shared = now() - start;
     // A stride that is odd and not near a divisor of the width spreads the texels over rows and columns.
-    const std::size_t count = depth.level.size(), stride = count / 2 + count / 5 + 1 | 1;
+    const std::size_t count = depth.level.size(), stride = (count / 2 + count / 5 + 1) | 1;
     std::size_t done = 0;
     volatile float sink = 0;
     start = now();

@@ -5,9 +5,9 @@ uniform float scene_depth_scale; // depth of the relief, texture widths
 uniform vec3 scene_sun;          // unit vector towards the light, z > 0
 uniform int scene_shadow_steps;  // 0: no shadow ray
 
-const vec3 SUN_COLOUR = vec3(3.1, 2.75, 2.25);
-const vec3 SKY_COLOUR = vec3(0.46, 0.58, 0.78);
-const vec3 BOUNCE_COLOUR = vec3(0.34, 0.25, 0.18);
+const vec3 SUN_COLOUR = vec3(2.75, 2.3, 1.75);
+const vec3 SKY_COLOUR = vec3(0.34, 0.46, 0.68);
+const vec3 BOUNCE_COLOUR = vec3(0.26, 0.18, 0.12);
 
 // Share of the sun seen from the relief at uv, by marching up through the cones: a ray that rises out of an apex cone at
 // gap g and moves `reach` per unit of ascent stays inside it for ratio g / (reach - ratio).
@@ -35,13 +35,13 @@ float sun_visibility(vec2 uv, float height) {
 float sky_visibility(float ratio) {
     float tangent = ratio / scene_depth_scale;
     float sky = tangent / sqrt(1.0 + tangent * tangent);
-    return mix(0.25, 1.0, sqrt(sky));
+    return mix(0.2, 1.0, sky);
 }
 
 vec3 clay(float height) {
-    vec3 low = vec3(0.30, 0.175, 0.115);
-    vec3 middle = vec3(0.58, 0.39, 0.27);
-    vec3 high = vec3(0.80, 0.69, 0.56);
+    vec3 low = vec3(0.24, 0.12, 0.075);
+    vec3 middle = vec3(0.52, 0.32, 0.20);
+    vec3 high = vec3(0.72, 0.58, 0.44);
     return mix(mix(low, middle, smoothstep(0.0, 0.55, height)), high, smoothstep(0.4, 1.0, height));
 }
 
