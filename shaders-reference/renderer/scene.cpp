@@ -7,7 +7,7 @@ namespace reliefbake {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-constexpr double frame_margin = 1.1; ///< the whole plane leaves this much air around it; its near corners need some
+constexpr double frame_margin = 1.25; ///< the whole plane leaves this much air around it; its near corners need some
 
 Vec3 scaled(const Vec3& v, double factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
 
