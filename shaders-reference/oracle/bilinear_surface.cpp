@@ -58,9 +58,7 @@ BilinearSurface::BilinearSurface(const DepthMap& depth)
     : grid_(depth.grid), heights_(depth.grid.width, depth.grid.height) {
     for (int j = 0; j < grid_.height; ++j)
         for (int i = 0; i < grid_.width; ++i) heights_(i, j) = 1.0 - depth.depth(i, j);
-    const auto [low, high] = std::minmax_element(heights_.begin(), heights_.end());
-    lowest_ = *low;
-    highest_ = *high;
+    highest_ = *std::max_element(heights_.begin(), heights_.end());
 
     // Level 1 from the patches, each further level from the one before, up to a single node.
     const int cells_x = cell_count(grid_.width, grid_.wrap_x);

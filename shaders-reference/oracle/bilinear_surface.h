@@ -43,7 +43,6 @@ class BilinearSurface {
 
     const TexelGrid& grid() const { return grid_; }
     double highest() const { return highest_; }
-    double lowest() const { return lowest_; }
 
     double height(double u, double v) const;
     /// Height of a texel, addressed as the grid says.
@@ -62,7 +61,6 @@ class BilinearSurface {
     Image<double> heights_;
     std::vector<Image<float>> pyramid_; ///< [k]: highest of blocks of level k + 1, rounded up
     double highest_ = 0;
-    double lowest_ = 1;
 };
 
 } // namespace reliefbake

@@ -37,7 +37,6 @@ namespace reliefbake {
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                               \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                                       \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                                                 \
-    X(PFNGLGETSTRINGPROC, GetString)                                                                                     \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                                                   \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                                 \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                                                 \
