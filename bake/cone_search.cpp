@@ -247,8 +247,13 @@ namespace {
 struct NodeRef {
     int level, i, j;
     float slope_sq;          ///< square of the tile-wide bound of the slope; the steepest is visited first
-    float shrink;            ///< least ratio of deflated to plain distance
+    float distance_sq;       ///< least squared distance between tile and node, not deflated
 };
+
+struct Witness {
+    float x, y, height;
+};
+constexpr std::size_t witness_count = 16;
 
 class TileSearch {
   public:
@@ -261,19 +266,21 @@ class TileSearch {
     /// Leaves in tile.found the largest far slope of each texel that exceeds its need; 0 where none does.
     void run(int tile_x, int tile_y, const Image<float>& needs) {
         load(tile_x, tile_y, needs);
+        compare_witnesses();
         stack_.clear();
-        push_if_it_matters(pyramid_.level_count() - 1, 0, 0);
+        push_quad(pyramid_.level_count() - 1, 0, 0);
         while (!stack_.empty()) {
             const NodeRef ref = stack_.back();
             stack_.pop_back();
             if (ref.slope_sq <= threshold_) continue; // the needs have risen since
             ++visits_;
-            const PyramidNode& node = pyramid_.level(ref.level).at(ref.i, ref.j);
-            if (!tile_needs_(space_, tile_, node, ref.shrink)) continue;
+            const PyramidNode node = pyramid_.node(ref.level, ref.i, ref.j);
+            const float shrink = std::sqrt((ref.distance_sq - space_.deflation) / ref.distance_sq);
+            if (!tile_needs_(space_, tile_, node, shrink)) continue;
             if (ref.level == 0)
                 compare_leaf(ref.i, ref.j);
             else
-                push_children(ref);
+                push_quad(ref.level - 1, ref.i, ref.j);
         }
     }
 
@@ -312,44 +319,66 @@ class TileSearch {
         threshold_ = need * need;
     }
 
-    /// Queues the node unless the steepest slope between the boxes of tile and node is below all needs.
-    void push_if_it_matters(int level, int i, int j) {
-        const PyramidNode& node = pyramid_.level(level).at(i, j);
-        float dx = std::fabs(node.cx - tile_.centre_x), dy = std::fabs(node.cy - tile_.centre_y);
-        dx = std::max(std::min(dx, space_.period_x - dx) - (node.half_x + tile_.half_x), 0.0f);
-        dy = std::max(std::min(dy, space_.period_y - dy) - (node.half_y + tile_.half_y), 0.0f) * space_.aspect;
-        const float plain = std::max(space_.l1 ? (dx + dy) * (dx + dy) : dx * dx + dy * dy, space_.near_distance_sq);
-        const float rise = std::max(node.max - tile_.lowest, 0.0f), deflated = plain - space_.deflation;
-        if (rise * rise <= threshold_ * deflated) return;
-        stack_.push_back({level, i, j, rise * rise / deflated, std::sqrt(deflated / plain)});
+    /// Distance along one axis from the tile to a node, for the nearest image.
+    static float gap(const MaxPyramid::Span& node, float centre, float half, float period) {
+        const float e = std::fabs(node.centre - centre);
+        return std::max(std::min(e, period - e) - (node.half + half), 0.0f);
     }
 
-    void push_children(const NodeRef& ref) {
-        const MaxPyramid::Level& below = pyramid_.level(ref.level - 1);
+    /// Queues those nodes of a quad of level k whose steepest slope between the boxes of tile and node exceeds some need.
+    void push_quad(int k, int i, int j) {
+        const PyramidQuad& quad = pyramid_.quad(k, i, j);
         const std::size_t first = stack_.size();
-        for (int j = 2 * ref.j; j < std::min(2 * ref.j + 2, below.height); ++j)
-            for (int i = 2 * ref.i; i < std::min(2 * ref.i + 2, below.width); ++i)
-                push_if_it_matters(ref.level - 1, i, j);
-        // The steepest child goes on top: an insertion sort of four at most.
-        for (std::size_t k = first + 1; k < stack_.size(); ++k)
-            for (std::size_t m = k; m > first && stack_[m].slope_sq < stack_[m - 1].slope_sq; --m)
-                std::swap(stack_[m], stack_[m - 1]);
+        float dx[2], dy[2];
+        for (int c = 0; c < 2; ++c) {
+            dx[c] = gap(MaxPyramid::span(k, 2 * i + c, surface_.grid.width), tile_.centre_x, tile_.half_x, space_.period_x);
+            dy[c] = gap(MaxPyramid::span(k, 2 * j + c, surface_.grid.height), tile_.centre_y, tile_.half_y, space_.period_y) *
+                    space_.aspect;
+        }
+        for (int c = 0; c < 4; ++c) {
+            const float x = dx[c & 1], y = dy[c >> 1];
+            const float plain = std::max(space_.l1 ? (x + y) * (x + y) : x * x + y * y, space_.near_distance_sq);
+            const float rise = std::max(quad.max[c] - tile_.lowest, 0.0f), deflated = plain - space_.deflation;
+            if (rise * rise <= threshold_ * deflated) continue;
+            stack_.push_back({k, 2 * i + (c & 1), 2 * j + (c >> 1), rise * rise / deflated, plain});
+        }
+        // The steepest goes on top: an insertion sort of four at most.
+        for (std::size_t a = first + 1; a < stack_.size(); ++a)
+            for (std::size_t b = a; b > first && stack_[b].slope_sq < stack_[b - 1].slope_sq; --b)
+                std::swap(stack_[b], stack_[b - 1]);
+    }
+
+    /// What limited the tile to the left most likely limits this one too. Results do not depend on it, work does.
+    void compare_witnesses() {
+        bool raised = false;
+        for (const Witness& w : witnesses_) raised |= compare_texel_(space_, tile_, w.x, w.y, w.height);
+        if (raised) refresh_threshold();
+    }
+
+    void remember(float x, float y, float height) {
+        if (witnesses_.size() < witness_count)
+            witnesses_.push_back({x, y, height});
+        else
+            witnesses_[next_witness_] = {x, y, height};
+        next_witness_ = (next_witness_ + 1) % witness_count;
     }
 
     void compare_leaf(int i, int j) {
         constexpr int s = MaxPyramid::leaf_size;
-        bool raised = false;
         const int x0 = i * s, width = std::min(s, surface_.grid.width - x0);
         for (int y = j * s; y < std::min(j * s + s, surface_.grid.height); ++y) {
             float heights[s];
             for (int k = 0; k < s; ++k) heights[k] = surface_.height(x0 + std::min(k, width - 1), y);
             std::uint32_t bits = leaf_candidates_(space_, tile_, heights, float(x0), float(y), threshold_);
+            bool raised = false;
             for (bits &= (1u << width) - 1; bits != 0; bits &= bits - 1) {
                 const int k = std::countr_zero(bits);
-                raised |= compare_texel_(space_, tile_, float(x0 + k), float(y), heights[k]);
+                if (!compare_texel_(space_, tile_, float(x0 + k), float(y), heights[k])) continue;
+                remember(float(x0 + k), float(y), heights[k]);
+                raised = true;
             }
+            if (raised) refresh_threshold();
         }
-        if (raised) refresh_threshold();
     }
 
     const SearchSurface& surface_;
@@ -362,6 +391,8 @@ class TileSearch {
     Tile tile_;
     float threshold_ = 0; ///< square of the least slope that still matters to the tile
     std::vector<NodeRef> stack_;
+    std::vector<Witness> witnesses_; ///< the last texels that raised a need
+    std::size_t next_witness_ = 0;
     std::uint64_t visits_ = 0;
 };
 

@@ -86,19 +86,23 @@ void fit_slopes(PyramidNode& node, const PyramidNode* const* children, const dou
     node.gy = var_y > 0 ? float(cov_y / var_y) : 0.0f;
 }
 
-struct LevelWithMeans {
-    MaxPyramid::Level level;
+/// One level while the next is built from it; `means` are the nodes' mean heights.
+struct Level {
+    int width, height;
+    std::vector<PyramidNode> nodes;
     std::vector<double> means;
+
+    Level(int w, int h) : width(w), height(h), nodes(std::size_t(w) * h), means(std::size_t(w) * h) {}
 };
 
-void join(const LevelWithMeans& below, int i, int j, PyramidNode& node, double& mean) {
+void join(const Level& below, int i, int j, PyramidNode& node, double& mean) {
     const PyramidNode* children[4];
     double means[4];
     int count = 0;
-    for (int cj = 2 * j; cj < std::min(2 * j + 2, below.level.height); ++cj)
-        for (int ci = 2 * i; ci < std::min(2 * i + 2, below.level.width); ++ci) {
-            const std::size_t k = std::size_t(cj) * below.level.width + ci;
-            children[count] = &below.level.nodes[k], means[count++] = below.means[k];
+    for (int cj = 2 * j; cj < std::min(2 * j + 2, below.height); ++cj)
+        for (int ci = 2 * i; ci < std::min(2 * i + 2, below.width); ++ci) {
+            const std::size_t k = std::size_t(cj) * below.width + ci;
+            children[count] = &below.nodes[k], means[count++] = below.means[k];
         }
     // Join boxes, maxima and means.
     float x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY, largest = 0;
@@ -123,45 +127,56 @@ void join(const LevelWithMeans& below, int i, int j, PyramidNode& node, double& 
     node.plane = offset + plane_slack * (largest + tilt);
 }
 
-LevelWithMeans leaf_level(const Image<float>& heights, int threads) {
+Level leaf_level(const Image<float>& heights, int threads) {
     constexpr int s = MaxPyramid::leaf_size;
-    LevelWithMeans out{{(heights.width() + s - 1) / s, (heights.height() + s - 1) / s, {}}, {}};
-    out.level.nodes.resize(std::size_t(out.level.width) * out.level.height);
-    out.means.resize(out.level.nodes.size());
-    parallel_for(out.level.height, threads, [&](int j) {
-        for (int i = 0; i < out.level.width; ++i) {
+    Level level((heights.width() + s - 1) / s, (heights.height() + s - 1) / s);
+    parallel_for(level.height, threads, [&](int j) {
+        for (int i = 0; i < level.width; ++i) {
             const Box box{i * s, j * s, std::min(i * s + s, heights.width()), std::min(j * s + s, heights.height())};
-            const std::size_t k = std::size_t(j) * out.level.width + i;
-            out.level.nodes[k] = leaf_node(heights, box, out.means[k]);
+            const std::size_t k = std::size_t(j) * level.width + i;
+            level.nodes[k] = leaf_node(heights, box, level.means[k]);
         }
     });
-    return out;
+    return level;
 }
 
-LevelWithMeans level_above(const LevelWithMeans& below, int threads) {
-    LevelWithMeans out{{(below.level.width + 1) / 2, (below.level.height + 1) / 2, {}}, {}};
-    out.level.nodes.resize(std::size_t(out.level.width) * out.level.height);
-    out.means.resize(out.level.nodes.size());
-    parallel_for(out.level.height, threads, [&](int j) {
-        for (int i = 0; i < out.level.width; ++i) {
-            const std::size_t k = std::size_t(j) * out.level.width + i;
-            join(below, i, j, out.level.nodes[k], out.means[k]);
+Level level_above(const Level& below, int threads) {
+    Level level((below.width + 1) / 2, (below.height + 1) / 2);
+    parallel_for(level.height, threads, [&](int j) {
+        for (int i = 0; i < level.width; ++i) {
+            const std::size_t k = std::size_t(j) * level.width + i;
+            join(below, i, j, level.nodes[k], level.means[k]);
         }
     });
-    return out;
+    return level;
+}
+
+std::vector<PyramidQuad> pack(const Level& level) {
+    const int quads_x = (level.width + 1) / 2, quads_y = (level.height + 1) / 2;
+    PyramidQuad outside{};
+    std::fill(std::begin(outside.max), std::end(outside.max), -INFINITY);
+    std::vector<PyramidQuad> quads(std::size_t(quads_x) * quads_y, outside);
+    for (int j = 0; j < level.height; ++j)
+        for (int i = 0; i < level.width; ++i) {
+            const PyramidNode& n = level.nodes[std::size_t(j) * level.width + i];
+            PyramidQuad& q = quads[std::size_t(j / 2) * quads_x + i / 2];
+            const int c = (i & 1) + 2 * (j & 1);
+            q.max[c] = n.max, q.plane[c] = n.plane, q.gx[c] = n.gx, q.gy[c] = n.gy;
+        }
+    return quads;
 }
 
 } // namespace
 
 MaxPyramid build_max_pyramid(const Image<float>& heights, int threads) {
     MaxPyramid pyramid;
-    LevelWithMeans current = leaf_level(heights, threads);
-    while (current.level.nodes.size() > 1) {
-        LevelWithMeans above = level_above(current, threads);
-        pyramid.levels_.push_back(std::move(current.level));
-        current = std::move(above);
+    pyramid.width_ = heights.width(), pyramid.height_ = heights.height();
+    Level level = leaf_level(heights, threads);
+    pyramid.levels_.push_back(pack(level));
+    while (level.nodes.size() > 1) {
+        level = level_above(level, threads);
+        pyramid.levels_.push_back(pack(level));
     }
-    pyramid.levels_.push_back(std::move(current.level));
     return pyramid;
 }
 

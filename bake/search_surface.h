@@ -25,7 +25,7 @@ struct SearchSurface {
 };
 
 /// Pairs of texels at most this far apart (Chebyshev, texels) are compared one by one; the pyramid serves the rest.
-constexpr int near_radius = 8;
+constexpr int near_radius = 10;
 
 /// Slope that the near surface alone asks of each texel's cone, at least slope_floor: cells within one texel exactly,
 /// half-texel lattice up to two texels, texels up to near_radius.

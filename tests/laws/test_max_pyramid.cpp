@@ -12,15 +12,12 @@ namespace {
 
 void require_bounds(const Image<float>& heights) {
     const MaxPyramid pyramid = build_max_pyramid(heights, 2);
-    REQUIRE(pyramid.level(pyramid.level_count() - 1).nodes.size() == 1);
+    REQUIRE(pyramid.nodes_x(pyramid.level_count() - 1) * pyramid.nodes_y(pyramid.level_count() - 1) == 1);
     for (int k = 0; k < pyramid.level_count(); ++k) {
-        const MaxPyramid::Level& level = pyramid.level(k);
-        const int side = MaxPyramid::leaf_size << k;
-        float low = 0;
-        for (float h : heights) low = std::min(low, h);
+        const int side = MaxPyramid::side(k);
         for (int y = 0; y < heights.height(); ++y)
             for (int x = 0; x < heights.width(); ++x) {
-                const PyramidNode& n = level.at(x / side, y / side);
+                const PyramidNode n = pyramid.node(k, x / side, y / side);
                 const double plane = double(n.plane) + double(n.gx) * (x - double(n.cx)) + double(n.gy) * (y - double(n.cy));
                 REQUIRE(heights(x, y) <= n.max);
                 REQUIRE(double(heights(x, y)) <= plane);
@@ -40,7 +37,7 @@ TEST_CASE("pyramid nodes bound their texels from above") {
 
 TEST_CASE("the root's plane of a ramp is tight") {
     const MaxPyramid pyramid = build_max_pyramid(adversarial(grid_of(256, 256, Wrap::clamp), "ramp", BitDepth::float32).level, 1);
-    const PyramidNode& root = pyramid.level(pyramid.level_count() - 1).nodes[0];
+    const PyramidNode root = pyramid.node(pyramid.level_count() - 1, 0, 0);
     REQUIRE(root.gx == Approx(-1.0 / 256).epsilon(1e-4));
     REQUIRE(std::fabs(root.gy) < 1e-7f);
     REQUIRE(root.plane == Approx(0.5).margin(1e-4));
