@@ -117,8 +117,9 @@ void adversarial_headings(const BilinearSurface& surface, const MapPoint& point,
 
     // Towards the texel that limits the cone, and to either side of it.
     constexpr double promising = 0.7; // of what would break the cone
+    constexpr double least = 1e-9;    // slope, when the cone has no bound
     if (ratio <= 0) return;
-    const SteepestTexel limit = steepest_texel(surface, point.u, point.v, metric, promising / ratio);
+    const SteepestTexel limit = steepest_texel(surface, point.u, point.v, metric, std::max(promising / ratio, least));
     if (limit.slope <= 0) return;
     for (const double aside : {0.0, -0.5, 0.5, -0.1, 0.1}) {
         const Heading straight = Heading::along(grid, limit.du, limit.dv);

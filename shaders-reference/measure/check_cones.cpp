@@ -13,6 +13,7 @@ namespace reliefbake {
 namespace {
 
 constexpr int chunk_points = 256; ///< one unit of parallel work; each chunk has its own random numbers
+constexpr double farthest = 64; ///< texture widths; a constraint beyond it is a slope below 1/64, of cones wider than that
 constexpr double look_farther = 1.25; ///< constraints are sought a little beyond the cone's reach, to see how tight it is
 
 /// Length of a heading, 1 in the isotropic metric, in the metric of the cones.
@@ -35,7 +36,8 @@ void note(ConeCheck& check, double excess, const MapPoint& point, const Heading&
 double check_point(const ReliefMap& map, const BilinearSurface& surface, const MapPoint& point, SplitMix& random,
                    std::vector<Heading>& headings, ConeCheck& check) {
     const double ratio = widest_ratio(map, point);
-    const double reach = look_farther * ratio * (surface.highest() - surface.height(point.u, point.v));
+    const double rise = surface.highest() - surface.height(point.u, point.v);
+    const double reach = rise > 0 ? std::min(farthest, look_farther * ratio * rise) : 0;
     adversarial_headings(surface, point, ratio, map.info.metric, random, headings);
     double worst = 0;
     for (const Heading& heading : headings) {
@@ -52,7 +54,7 @@ double check_texel(const ReliefMap& map, const BilinearSurface& surface, SplitMi
                          TexelGrid::centre(random.below(map.grid.height), map.grid.height)};
     const double ratio = sampled_ratio(map, point.u, point.v, Fetch::nearest);
     if (ratio <= 0) return 0;
-    const SteepestTexel limit = steepest_texel(surface, point.u, point.v, map.info.metric, 0.5 / ratio);
+    const SteepestTexel limit = steepest_texel(surface, point.u, point.v, map.info.metric, std::max(0.5 / ratio, 1e-9));
     if (limit.slope <= 0) return 0;
     note(check, limit.slope * ratio, point, Heading::along(map.grid, limit.du, limit.dv));
     return limit.slope * ratio;

@@ -12,6 +12,7 @@ namespace reliefbake {
 namespace {
 
 constexpr double full_turn = 6.283185307179586;
+constexpr double widest = 64;            ///< cap where the map has none, texture widths per unit of height
 constexpr double square_reach = 0.7935; ///< mean over directions of 1 / (|cos| + |sin|)
 
 /// Steepest slope of the bilinear surface seen from a point: the limiting texel exactly, then the patches between texels
@@ -37,33 +38,34 @@ double steepest_gradient(const BilinearSurface& surface, int i, int j) {
     return steepest;
 }
 
+/// Steepest slope seen from any point of cell (i, j). Points keep 1e-4 texels inside: on the rim, rounding would choose
+/// between this cell and a neighbour whose points are another footprint's.
+double cell_slope(const BilinearSurface& surface, int i, int j, double at_least, const TightnessOptions& options) {
+    constexpr double rim = 1e-4;
+    const TexelGrid& grid = surface.grid();
+    double slope = std::max(at_least, steepest_gradient(surface, i, j));
+    for (int b = 0; b <= options.steps; ++b)
+        for (int a = 0; a <= options.steps; ++a) {
+            const double x = i + rim + (1 - 2 * rim) * a / options.steps;
+            const double y = j + rim + (1 - 2 * rim) * b / options.steps;
+            slope = steepest_slope(surface, (x + 0.5) / grid.width, (y + 0.5) / grid.height, slope, options.headings);
+        }
+    return slope;
+}
+
 } // namespace
 
 Image<double> footprint_cones(const BilinearSurface& surface, int x, int y, int width, int height, double ratio_max,
                               const TightnessOptions& options) {
-    // Slopes at a lattice of points that spans the crop and one texel around it.
-    const TexelGrid& grid = surface.grid();
-    const int steps = options.steps;
-    Image<double> points((width + 1) * steps + 1, (height + 1) * steps + 1);
-    parallel_for(points.height(), options.threads, [&](int b) {
-        const double v = (y - 0.5 + double(b) / steps) / grid.height;
-        for (int a = 0; a < points.width(); ++a) {
-            const double u = (x - 0.5 + double(a) / steps) / grid.width;
-            points(a, b) = steepest_slope(surface, u, v, 1 / ratio_max, options.headings);
-        }
+    Image<double> cells(width + 1, height + 1);
+    parallel_for(cells.height(), options.threads, [&](int b) {
+        for (int a = 0; a < cells.width(); ++a)
+            cells(a, b) = cell_slope(surface, x + a - 1, y + b - 1, 1 / ratio_max, options);
     });
-
-    // The steepest of the points and gradients in each texel's four cells.
     Image<double> cones(width, height);
     for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
-            double slope = 1 / ratio_max;
-            for (int b = j * steps; b <= (j + 2) * steps; ++b)
-                for (int a = i * steps; a <= (i + 2) * steps; ++a) slope = std::max(slope, points(a, b));
-            for (int b = j - 1; b <= j; ++b)
-                for (int a = i - 1; a <= i; ++a) slope = std::max(slope, steepest_gradient(surface, x + a, y + b));
-            cones(i, j) = 1 / slope;
-        }
+        for (int i = 0; i < width; ++i)
+            cones(i, j) = 1 / std::max(std::max(cells(i, j), cells(i + 1, j)), std::max(cells(i, j + 1), cells(i + 1, j + 1)));
     return cones;
 }
 
@@ -73,7 +75,7 @@ double tightness(const ReliefMap& map, const BilinearSurface& surface, const Tig
     const int height = std::min(options.crop, grid.height);
     const int x = (grid.width - width) / 2;
     const int y = (grid.height - height) / 2;
-    const double ratio_max = map.info.cone_max;
+    const double ratio_max = std::min<double>(map.info.cone_max, widest);
     const Image<double> best = footprint_cones(surface, x, y, width, height, ratio_max, options);
     const double reach = map.info.metric == Metric::l1 ? square_reach : 1;
     double sum = 0;

@@ -2,15 +2,20 @@
 
 #include "shaders-reference/oracle/cell_walk.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace reliefbake {
 namespace {
 
+/// Closer than this, in texels, only the point's own cell is asked: a position of thousands of texels is known to 1e-12,
+/// which divided by a smaller distance would pass for a slope. Beyond a nearer wall the quotient is taken from here on.
+constexpr double nearest_wall = 1e-5;
+
 struct ConstraintVisitor {
     const CellLine& line;
-    double apex, highest, max_distance;
+    double apex, highest, max_distance, nearest;
     Constraint best;
 
     /// Nothing farther than (highest - apex) / slope can beat the slope found.
@@ -31,12 +36,18 @@ struct ConstraintVisitor {
             offer(slope + c * length, length);
             return false;
         }
-        offer(start / s_in, s_in);
-        offer((start + (slope + c * length) * length) / s_out, s_out);
+        const double s_near = std::max(s_in, nearest);
+        if (s_near >= s_out) return false;
+        const auto offer_at = [&](double s) {
+            const double beyond = s - s_in;
+            offer((start + (slope + c * beyond) * beyond) / s, s);
+        };
+        offer_at(s_near);
+        offer_at(s_out);
         const double a = start - slope * s_in + c * s_in * s_in;
         if (a < 0 && c < 0) {
             const double s = std::sqrt(a / c);
-            if (s > s_in && s < s_out) offer((start + (slope + c * (s - s_in)) * (s - s_in)) / s, s);
+            if (s > s_near && s < s_out) offer_at(s);
         }
         return false;
     }
@@ -61,7 +72,8 @@ Constraint cone_constraint(const BilinearSurface& surface, double u, double v, c
                            double at_least) {
     const TexelGrid& grid = surface.grid();
     const CellLine line{surface.to_x(u), surface.to_y(v), heading.x / grid.pitch_x(), heading.y / grid.pitch_y()};
-    ConstraintVisitor visitor{line, surface.height(u, v), surface.highest(), max_distance, {at_least, 0}};
+    ConstraintVisitor visitor{line, surface.height(u, v), surface.highest(), max_distance,
+                              nearest_wall * std::min(grid.pitch_x(), grid.pitch_y()), {at_least, 0}};
     walk_cells(surface, line, visitor);
     return visitor.best.slope > at_least ? visitor.best : Constraint{};
 }

@@ -25,6 +25,8 @@ struct Constraint {
 ///
 ///     (a + b s + c s^2) / s  on [s0, s1]  is greatest at s0, at s1, or, for a < 0 and c < 0, at sqrt(a/c)
 ///
+/// Where the point lies within 1e-5 texels of a wall, the cells beyond count from that distance on. max_distance is finite
+/// on a repeated surface: nothing else ends a line that never rises.
 /// `at_least` is a slope already known: only steeper ones are sought (much faster), and slope 0 is the answer if none is.
 Constraint cone_constraint(const BilinearSurface& surface, double u, double v, const Heading& heading, double max_distance,
                            double at_least = 0);

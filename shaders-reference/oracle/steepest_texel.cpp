@@ -9,6 +9,9 @@
 namespace reliefbake {
 namespace {
 
+/// A texel centre this close, in texels, is the point itself: rounding divided by a smaller distance is no slope.
+constexpr double coincident = 1e-5;
+
 class TexelSearch {
   public:
     TexelSearch(const BilinearSurface& surface, double u, double v, Metric metric, double at_least)
@@ -66,9 +69,10 @@ class TexelSearch {
             for (const std::int64_t a : {cell.x_low, cell.x_high}) {
                 const double dx = double(a) - x_;
                 const double dy = double(b) - y_;
+                if (std::max(std::abs(dx), std::abs(dy)) < coincident) continue;
                 const double distance = length(dx, dy);
                 const double rise = surface_.texel(a, b) - apex_;
-                if (distance > 0 && rise > best_.slope * distance) {
+                if (rise > best_.slope * distance) {
                     best_ = {rise / distance, dx / grid_.width, dy / grid_.height};
                     found_ = true;
                 }

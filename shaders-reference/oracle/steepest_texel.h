@@ -12,7 +12,7 @@ struct SteepestTexel {
 };
 
 /// Texel centre q with the greatest (H(q) - H(p)) / |q - p|, among those above `at_least` > 0 and no farther than
-/// `tiles` repeats of the map; p = (u, v). Best-first descent of the max pyramid.
+/// `tiles` repeats of the map; p = (u, v), itself no such q (within 1e-5 texels). Best-first descent of the max pyramid.
 SteepestTexel steepest_texel(const BilinearSurface& surface, double u, double v, Metric metric, double at_least, int tiles = 1);
 
 } // namespace reliefbake

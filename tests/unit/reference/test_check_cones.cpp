@@ -71,6 +71,13 @@ TEST_CASE("a tight map passes, and is seen to be tight", "[check]") {
     CHECK(result.worst > 0.9);
 }
 
+TEST_CASE("cones without a cap are checked too", "[check]") {
+    const DepthMap depth = depth_of({16, 16, Wrap::repeat, Wrap::repeat, 1}, [](int i, int) { return i == 3 ? 0.9 : 0.2; });
+    const MapChoices choices{ConeEncoding::normal, BitDepth::float32};
+    CHECK(check(make_relief_map(depth, proven_l2_cones(depth, 1e3), 1e3, choices), 1000).violations == 0);
+    CHECK(check(make_relief_map(depth, Image<float>(16, 16, 1e30f), 1e30, choices), 1000).violations > 500);
+}
+
 TEST_CASE("the plain 3x3 minimum of round texel cones is caught", "[check]") {
     for (const DepthMap& depth : {saddle(), noise(square16, 7)}) {
         const Image<float> cones = minimum_3x3(texel_cones(depth, Metric::l2, 1), depth.grid);

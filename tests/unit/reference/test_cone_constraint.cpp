@@ -31,6 +31,17 @@ TEST_CASE("a ramp constrains with its own slope", "[oracle]") {
     CHECK(cone_constraint(ramp, 0.3, 0.5, {std::sqrt(0.5), std::sqrt(0.5)}, 10).slope == Approx(std::sqrt(0.5)));
 }
 
+TEST_CASE("rounding at a wall does not pass for a slope", "[oracle]") {
+    // Texel centres of this size lie a few 1e-13 texels before or behind their wall.
+    const TexelGrid grid{1024, 666, Wrap::clamp, Wrap::clamp, 1};
+    const BilinearSurface ramp(depth_of(grid, [](int, int j) { return j / 1024.0; }));
+    for (int j = 0; j < 665; ++j) {
+        const double v = TexelGrid::centre(j, 666);
+        CHECK(cone_constraint(ramp, 0.461, v, {0, 1}, 1).slope == Approx(1).epsilon(1e-6));
+        CHECK(cone_constraint(ramp, 0.461, v, {0, -1}, 1).slope < 1e-6);
+    }
+}
+
 TEST_CASE("a spike constrains with height over distance, in the isotropic metric", "[oracle]") {
     const TexelGrid grid{16, 8, Wrap::clamp, Wrap::clamp, 2};
     const BilinearSurface spike(depth_of(grid, [](int i, int j) { return i == 12 && j == 6 ? 1.0 : 0.0; }));
