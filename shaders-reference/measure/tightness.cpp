@@ -38,10 +38,10 @@ double steepest_gradient(const BilinearSurface& surface, int i, int j) {
     return steepest;
 }
 
-/// Steepest slope seen from any point of cell (i, j). Points keep 1e-4 texels inside: on the rim, rounding would choose
+/// Steepest slope seen from any point of cell (i, j). Points keep 1e-6 texels inside: on the rim, rounding would choose
 /// between this cell and a neighbour whose points are another footprint's.
 double cell_slope(const BilinearSurface& surface, int i, int j, double at_least, const TightnessOptions& options) {
-    constexpr double rim = 1e-4;
+    constexpr double rim = 1e-6;
     const TexelGrid& grid = surface.grid();
     double slope = std::max(at_least, steepest_gradient(surface, i, j));
     for (int b = 0; b <= options.steps; ++b)
@@ -78,14 +78,18 @@ double tightness(const ReliefMap& map, const BilinearSurface& surface, const Tig
     const double ratio_max = std::min<double>(map.info.cone_max, widest);
     const Image<double> best = footprint_cones(surface, x, y, width, height, ratio_max, options);
     const double reach = map.info.metric == Metric::l1 ? square_reach : 1;
+    const bool undefined_on_top = map.info.encoding == ConeEncoding::radius; // the code is 0 there, whatever the cone
     double sum = 0;
+    int counted = 0;
     for (int j = 0; j < height; ++j)
         for (int i = 0; i < width; ++i) {
+            if (undefined_on_top && map.depth(x + i, y + j) == 0) continue;
             const double u = TexelGrid::centre(x + i, grid.width);
             const double v = TexelGrid::centre(y + j, grid.height);
             sum += reach * std::min(sampled_ratio(map, u, v, Fetch::nearest), ratio_max) / best(i, j);
+            ++counted;
         }
-    return sum / double(best.size());
+    return counted > 0 ? sum / counted : 1;
 }
 
 } // namespace reliefbake

@@ -19,7 +19,8 @@ Image<double> footprint_cones(const BilinearSurface& surface, int x, int y, int 
                               const TightnessOptions& options);
 
 /// Mean over the crop of r / r_footprint, both capped at cone_max (and at 64); an L1 cone t counts as 0.7935 t, its reach averaged over
-/// directions. Below 1: safe but narrow; above 1: somewhere too wide. The whole surface limits the crop's cones.
+/// directions. Below 1: safe but narrow; above 1: somewhere too wide. `radius` does not count where the
+/// depth is 0. The whole surface limits the crop's cones.
 double tightness(const ReliefMap& map, const BilinearSurface& surface, const TightnessOptions& options = {});
 
 } // namespace reliefbake

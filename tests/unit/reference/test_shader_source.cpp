@@ -7,6 +7,8 @@
 #include <fstream>
 #include <vector>
 
+#include <unistd.h>
+
 using namespace reliefbake;
 
 namespace {
@@ -40,7 +42,7 @@ std::vector<ShaderConfig> configurations() {
 } // namespace
 
 TEST_CASE("every shader is valid under all three preludes", "[shaders]") {
-    const auto folder = std::filesystem::temp_directory_path() / "reliefbake_shaders";
+    const auto folder = std::filesystem::temp_directory_path() / std::string("reliefbake_shaders.").append(std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     std::string files;
