@@ -2,13 +2,13 @@
 # Bakes every height map in every encoding, bit depth and addressing, verifies each, and prints the table of docs/VERIFY.md.
 # Exit code 0: no ray missed, no cone violated, no command failed. Otherwise 4, and the failing commands are printed.
 #
-#   tests/verify_all.sh [--quick] [--rays N] [--points N] [--jobs N] [--keep DIR] [-o TABLE.md]
+#   tests/verify_all.sh [--quick] [--rays N] [--points N] [--jobs N] [--keep DIR] [-o FILE.md]
 #
 #   --quick    the bundled maps alone, 2 bit depths x 2 encodings, fewer rays (ctest: verify_some)
 #   --rays     rays a map (default 30000), --points  points of the direct check a map (default 20000)
 #   --jobs     maps at a time, one thread each (default: the number of processors)
 #   --keep     folder of results, one file a case; those already there are not done again
-#   -o         write the table there too
+#   -o         put the table into FILE.md too (tests/put_table.sh)
 #
 #   RELIEFBAKE_BINARY   the tool (default build/release/bin/reliefbake)
 #   RELIEFBAKE_DATA     folder with heights/ (default ../shared/data; without it the bundled maps, and it says so)
@@ -115,7 +115,8 @@ jq -rs --arg seconds $SECONDS --arg version "$("$tool" --version)" '
     "",
     "\($version): \(length) maps baked and verified in \($seconds) s: \(map(.rays // 0) | add) rays, \(map(.missed // 0) | add) missed; "
     + "\(map(.points // 0) | add) points, \(map(.violations // 0) | add) violations; \(map(select(.error)) | length) failures."
-    ' "$scratch/lines" | tee ${table:+"$table"}
+    ' "$scratch/lines" | tee "$scratch/table"
+if [[ $table ]]; then "$here/put_table.sh" "$table" <"$scratch/table"; fi
 
 bad=$(jq -r 'select(.error or .missed > 0 or .violations > 0)
     | "FAILED: \(.command)\n  missed \(.missed), violations \(.violations), \(.error // "" | rtrimstr("\n"))"' "$scratch/lines")
