@@ -25,10 +25,11 @@ namespace reliefbake {
 /// Rows are padded so that every neighbour within the near radius, and a run of vectors beyond, can be loaded.
 constexpr int pad = 48;
 constexpr int halo = near_radius + 2;
+constexpr int block_width = 1024, block_rows = 64; // fixed: results cannot depend on the number of threads
 
-/// A band of rows with a border of real neighbours (wrapped or clamped).
-struct Band {
-    int width, y0, y1; ///< texel rows [y0, y1) are wanted
+/// A block of texels with a border of real neighbours (wrapped or clamped). Small enough to stay in the cache.
+struct Block {
+    int x0, width, y0, y1; ///< texels [x0, x0 + width) of rows [y0, y1) are wanted
     int stride;
     std::vector<float> storage;
     const float* row(int y) const { return storage.data() + std::size_t(y - (y0 - halo)) * stride + pad; }
@@ -45,7 +46,7 @@ struct Rings {
     std::vector<std::ptrdiff_t> offsets; ///< of a neighbour, in floats
 };
 
-/// Planes of slopes for one band: texel rows y0-1 .. y1, columns -1 .. width.
+/// Planes of slopes for one block: texel rows y0-1 .. y1, columns -1 .. width of the block.
 struct SlopePlanes {
     int y0, stride;
     std::vector<float> texels;     ///< from pairs of texels
@@ -217,41 +218,42 @@ Rings make_rings(const SearchSurface& surface, int low, int high, double unit, O
     return out;
 }
 
-Band make_band(const SearchSurface& surface, int y0, int y1) {
+Block make_block(const SearchSurface& surface, int x0, int y0) {
     const TexelGrid& grid = surface.grid;
-    Band band{grid.width, y0, y1, grid.width + 2 * pad, {}};
-    band.storage.resize(std::size_t(y1 - y0 + 2 * halo) * band.stride);
+    const int width = std::min(block_width, grid.width - x0), y1 = std::min(y0 + block_rows, grid.height);
+    Block block{x0, width, y0, y1, width + 2 * pad, {}};
+    block.storage.resize(std::size_t(y1 - y0 + 2 * halo) * block.stride);
     for (int y = y0 - halo; y < y1 + halo; ++y) {
         const float* source = surface.height.row(grid.address_y(y));
-        float* row = band.row(y);
-        std::copy(source, source + grid.width, row);
+        float* row = block.row(y);
+        std::copy_n(source + x0, width, row);
         for (int x = 1; x <= pad; ++x) {
-            row[-x] = source[grid.address_x(-x)];
-            row[grid.width + x - 1] = source[grid.address_x(grid.width + x - 1)];
+            row[-x] = source[grid.address_x(x0 - x)];
+            row[width + x - 1] = source[grid.address_x(x0 + width + x - 1)];
         }
     }
-    return band;
+    return block;
 }
 
-/// The surface at half texels: phase (sx, sy) in plane sx + 2 sy, rows as in the band.
+/// The surface at half texels: phase (sx, sy) in plane sx + 2 sy, rows as in the block.
 struct Midpoints {
     std::vector<float> storage;
     std::size_t plane_size;
     float slack; ///< largest rounding error of the difference of two of them
 };
 
-Midpoints make_midpoints(const Band& band) {
-    const int rows = band.y1 - band.y0 + 2 * halo - 1;
-    Midpoints m{{}, std::size_t(rows + 1) * band.stride, 0};
+Midpoints make_midpoints(const Block& block) {
+    const int rows = block.y1 - block.y0 + 2 * halo - 1;
+    Midpoints m{{}, std::size_t(rows + 1) * block.stride, 0};
     m.storage.resize(4 * m.plane_size);
     bool exact = true;
     float largest = 0;
     for (int r = 0; r < rows; ++r) {
-        const float* h0 = band.storage.data() + std::size_t(r) * band.stride;
-        const float* h1 = h0 + band.stride;
+        const float* h0 = block.storage.data() + std::size_t(r) * block.stride;
+        const float* h1 = h0 + block.stride;
         float* out[4];
-        for (int k = 0; k < 4; ++k) out[k] = m.storage.data() + k * m.plane_size + std::size_t(r) * band.stride;
-        for (int x = 0; x < band.stride - 1; ++x) {
+        for (int k = 0; k < 4; ++k) out[k] = m.storage.data() + k * m.plane_size + std::size_t(r) * block.stride;
+        for (int x = 0; x < block.stride - 1; ++x) {
             const float top = h0[x] + h0[x + 1], left = h0[x] + h1[x], bottom = h1[x] + h1[x + 1];
             out[0][x] = h0[x], out[1][x] = 0.5f * top, out[2][x] = 0.5f * left, out[3][x] = 0.25f * (top + bottom);
             exact &= (top - h0[x] == h0[x + 1]) & (left - h0[x] == h1[x]) & (bottom - h1[x] == h1[x + 1]) &
@@ -268,73 +270,71 @@ bool has_cells(const SearchSurface& surface) {
     return surface.model == SurfaceModel::bilinear && surface.metric == Metric::l2;
 }
 
-std::vector<float> compare_texels(const SearchSurface& surface, const Band& band, const SlopePlanes& planes) {
+std::vector<float> compare_texels(const SearchSurface& surface, const Block& block, const SlopePlanes& planes) {
     const Rings rings = make_rings(surface, has_cells(surface) ? 2 : 1, near_radius, 1.0,
-                                   [&](int dx, int dy) { return dx + std::ptrdiff_t(dy) * band.stride; });
-    std::vector<float> out(std::size_t(band.y1 - band.y0 + 2) * band.stride);
-    for (int y = band.y0 - 1; y <= band.y1; ++y)
-        HWY_DYNAMIC_DISPATCH(RingSlopes)(band.row(y) - 1, rings, surface.slope_floor, 0, band.width + 2,
+                                   [&](int dx, int dy) { return dx + std::ptrdiff_t(dy) * block.stride; });
+    std::vector<float> out(std::size_t(block.y1 - block.y0 + 2) * block.stride);
+    for (int y = block.y0 - 1; y <= block.y1; ++y)
+        HWY_DYNAMIC_DISPATCH(RingSlopes)(block.row(y) - 1, rings, surface.slope_floor, 0, block.width + 2,
                                          out.data() + planes.at(y) - 1);
     return out;
 }
 
-std::vector<float> compare_half_texels(const SearchSurface& surface, const Band& band, const Midpoints& points,
+std::vector<float> compare_half_texels(const SearchSurface& surface, const Block& block, const Midpoints& points,
                                        int phase, const SlopePlanes& planes) {
     const int sx = phase & 1, sy = phase >> 1;
     const Rings rings = make_rings(surface, 2, 4, 0.5, [&](int dx, int dy) {
         const int px = sx + dx, py = sy + dy, other = (px & 1) + 2 * (py & 1);
-        return (other - phase) * std::ptrdiff_t(points.plane_size) + (py >> 1) * std::ptrdiff_t(band.stride) + (px >> 1);
+        return (other - phase) * std::ptrdiff_t(points.plane_size) + (py >> 1) * std::ptrdiff_t(block.stride) + (px >> 1);
     });
-    std::vector<float> out(std::size_t(band.y1 - band.y0 + 2) * band.stride);
-    for (int y = band.y0 - 1; y <= band.y1; ++y) {
+    std::vector<float> out(std::size_t(block.y1 - block.y0 + 2) * block.stride);
+    for (int y = block.y0 - 1; y <= block.y1; ++y) {
         const float* row = points.storage.data() + std::size_t(phase) * points.plane_size +
-                           std::size_t(y - (band.y0 - halo)) * band.stride + pad;
-        HWY_DYNAMIC_DISPATCH(RingSlopes)(row - 1, rings, 0, points.slack, band.width + 2, out.data() + planes.at(y) - 1);
+                           std::size_t(y - (block.y0 - halo)) * block.stride + pad;
+        HWY_DYNAMIC_DISPATCH(RingSlopes)(row - 1, rings, 0, points.slack, block.width + 2, out.data() + planes.at(y) - 1);
     }
     return out;
 }
 
-std::vector<float> bound_cells(const SearchSurface& surface, const Band& band, const SlopePlanes& planes) {
-    std::vector<float> out(std::size_t(band.y1 - band.y0 + 2) * band.stride);
-    for (int y = band.y0 - 1; y < band.y1; ++y) {
+std::vector<float> bound_cells(const SearchSurface& surface, const Block& block, const SlopePlanes& planes) {
+    std::vector<float> out(std::size_t(block.y1 - block.y0 + 2) * block.stride);
+    for (int y = block.y0 - 1; y < block.y1; ++y) {
         const float* rows[4];
-        for (int j = 0; j < 4; ++j) rows[j] = band.row(y - 1 + j) - 1;
-        HWY_DYNAMIC_DISPATCH(CellSlopes)(rows, float(surface.grid.pixel_aspect), band.width + 2,
+        for (int j = 0; j < 4; ++j) rows[j] = block.row(y - 1 + j) - 1;
+        HWY_DYNAMIC_DISPATCH(CellSlopes)(rows, float(surface.grid.pixel_aspect), block.width + 2,
                                          out.data() + planes.at(y) - 1);
     }
     return out;
 }
 
-void near_slopes_of_band(const SearchSurface& surface, int y0, int y1, Image<float>& out) {
-    const Band band = make_band(surface, y0, y1);
-    SlopePlanes planes{y0, band.stride, {}, {}, {}};
-    planes.texels = compare_texels(surface, band, planes);
-    if (!surface.has_footprint()) {
-        for (int y = y0; y < y1; ++y) std::copy_n(planes.texels.data() + planes.at(y), band.width, out.row(y));
-        return;
-    }
+void near_slopes_of_block(const SearchSurface& surface, int x0, int y0, Image<float>& out) {
+    const Block block = make_block(surface, x0, y0);
+    SlopePlanes planes{y0, block.stride, {}, {}, {}};
+    planes.texels = compare_texels(surface, block, planes);
     if (has_cells(surface)) {
-        const Midpoints points = make_midpoints(band);
+        const Midpoints points = make_midpoints(block);
         for (int phase = 0; phase < 4; ++phase)
-            planes.lattice[phase] = compare_half_texels(surface, band, points, phase, planes);
-        planes.cells = bound_cells(surface, band, planes);
+            planes.lattice[phase] = compare_half_texels(surface, block, points, phase, planes);
+        planes.cells = bound_cells(surface, block, planes);
     }
-    std::vector<float> row(std::size_t(band.stride));
-    for (int y = y0; y < y1; ++y) {
-        HWY_DYNAMIC_DISPATCH(FootprintSlopes)(planes, y, has_cells(surface), band.width, row.data());
-        std::copy_n(row.data(), band.width, out.row(y));
+    std::vector<float> row(std::size_t(block.stride));
+    for (int y = y0; y < block.y1; ++y) {
+        if (surface.has_footprint())
+            HWY_DYNAMIC_DISPATCH(FootprintSlopes)(planes, y, has_cells(surface), block.width, row.data());
+        else
+            std::copy_n(planes.texels.data() + planes.at(y), block.width, row.data());
+        std::copy_n(row.data(), block.width, out.row(y) + x0);
     }
 }
 
 } // namespace
 
 Image<float> near_slopes(const SearchSurface& surface, int threads) {
-    // Bands are of fixed size, so that results cannot depend on the number of threads.
-    constexpr int band_rows = 64;
-    const int height = surface.grid.height, bands = (height + band_rows - 1) / band_rows;
-    Image<float> out(surface.grid.width, height);
-    parallel_for(bands, threads, [&](int b) {
-        near_slopes_of_band(surface, b * band_rows, std::min((b + 1) * band_rows, height), out);
+    const int width = surface.grid.width, height = surface.grid.height;
+    const int blocks_x = (width + block_width - 1) / block_width, blocks_y = (height + block_rows - 1) / block_rows;
+    Image<float> out(width, height);
+    parallel_for(blocks_x * blocks_y, threads, [&](int b) {
+        near_slopes_of_block(surface, b % blocks_x * block_width, b / blocks_x * block_rows, out);
     });
     return out;
 }
