@@ -40,7 +40,8 @@ struct ConeStatistics {
 };
 
 /// Bakes cones for the stored surface. Guarantee C: no point of the decoded surface lies inside any cone, read with
-/// bilinear or nearest filtering. Same bits for every thread count and SIMD width.
+/// bilinear or nearest filtering. Same bits for every thread count and SIMD width. `depth` is quantised from a
+/// HeightField, or has a pixel aspect that passes is_baked_pixel_aspect.
 ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics = nullptr);
 
 struct EncodeOptions {

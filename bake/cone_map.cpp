@@ -69,6 +69,7 @@ void open_topmost_cones(const SearchSurface& surface, Image<float>& ratio) {
 
 ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics) {
     assert(options.ratio_max > 0 && options.tolerance >= 0);
+    assert(is_baked_pixel_aspect(depth.grid.pixel_aspect));
     ConeStatistics local;
     ConeStatistics& stats = statistics ? *statistics : local;
     Stopwatch watch;

@@ -34,8 +34,10 @@ Result<void> validate_options(const HeightOptions& options, const std::string& n
         return fail(ErrorCode::usage, name + ": range: expected finite values");
     if (!std::isfinite(options.scale) || !std::isfinite(options.bias))
         return fail(ErrorCode::usage, name + ": scale and bias: expected finite values");
-    if (!std::isfinite(options.pixel_aspect) || !(options.pixel_aspect > 0))
-        return fail(ErrorCode::usage, name + ": pixel aspect: expected a value greater than 0");
+    if (!is_baked_pixel_aspect(options.pixel_aspect))
+        return fail(ErrorCode::usage, name + ": pixel aspect: expected a value from 0.5 to 2, found " +
+                                          number_text(options.pixel_aspect) +
+                                          "; resample the image to squarer texels");
     return {};
 }
 

@@ -32,7 +32,7 @@ struct HeightOptions {
     double bias = 0;
     WrapChoice wrap_x = WrapChoice::automatic; ///< (--wrap)
     WrapChoice wrap_y = WrapChoice::automatic;
-    double pixel_aspect = 1; ///< height of a texel divided by its width
+    double pixel_aspect = 1; ///< height of a texel divided by its width, 0.5 to 2 (--pixel-aspect)
 };
 
 /// Heights in [0,1], 1 = top; finite; at least one texel. Only make_height_field makes one.
@@ -66,7 +66,7 @@ struct CheckedHeight {
 /// Errors: bad_data: NaN/Inf/no-data without NanPolicy::fill (count and first position) or nowhere a valid
 /// value; values outside a fixed range; scale and bias that leave 0..1. usage: options outside their ranges.
 /// Guarantee: an integer source of 8 or 16 bits comes back code for code from quantise_depth at its own
-/// depth.
+/// depth, and the grid's pixel aspect is one that bake_cones accepts.
 Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer,
                                         const HeightOptions& options, const std::string& name);
 

@@ -5,6 +5,13 @@ namespace reliefbake {
 
 enum class Wrap { repeat, clamp };
 
+/// Texels between half as high and twice as high as wide: as far as the proof of the far constraints reaches
+/// (docs/SAFETY.md; SearchSurface::distance_deflation).
+constexpr double least_pixel_aspect = 0.5, largest_pixel_aspect = 2;
+inline bool is_baked_pixel_aspect(double aspect) {
+    return aspect >= least_pixel_aspect && aspect <= largest_pixel_aspect;
+}
+
 /// The geometry of a map: size, addressing, and the isotropic metric in units of the texture's width.
 /// Texel (i,j) has its centre at u = (i + 0.5) / width, v = (j + 0.5) / height; row 0 is the image's top row.
 /// A *cell* (i,j) is the square between the centres of texels i, i+1 and j, j+1: one bilinear patch.

@@ -37,8 +37,8 @@ void add_physical_options(CLI::App& app, ConeCommandOptions& o) {
     CLI::Option* depth = add_length(app, "--depth", o.depth_metres, "Depth of the relief, e.g. 10cm");
     size->needs(depth)->excludes(uv);
     depth->needs(size)->excludes(uv);
-    add_number(app, "--pixel-aspect", o.height.pixel_aspect, positive_number,
-               "Height of a texel divided by its width (default 1)");
+    add_number(app, "--pixel-aspect", o.height.pixel_aspect, pixel_aspect,
+               "Height of a texel divided by its width, 0.5 to 2 (default 1)");
 }
 
 void add_bake_options(CLI::App& app, ConeCommandOptions& o) {

@@ -1,5 +1,7 @@
 #include "cli/number_options.h"
 
+#include "bake/texel_grid.h"
+
 #include <charconv>
 #include <cmath>
 
@@ -10,6 +12,8 @@ const NumberRule positive_number = {[](double x) { return std::isfinite(x) && x 
                                     "a number greater than 0"};
 const NumberRule positive_or_inf = {[](double x) { return x > 0; }, "a number greater than 0, or inf"};
 const NumberRule fraction_number = {[](double x) { return x >= 0 && x <= 1; }, "a number from 0 to 1"};
+const NumberRule pixel_aspect = {is_baked_pixel_aspect,
+                                 "a number from 0.5 to 2 (resample the image to squarer texels)"};
 
 std::optional<double> parse_number(const std::string& text) {
     double number = 0;

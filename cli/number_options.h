@@ -21,6 +21,7 @@ extern const NumberRule finite_number;   ///< any finite number
 extern const NumberRule positive_number; ///< finite and greater than 0
 extern const NumberRule positive_or_inf; ///< greater than 0, or "inf"
 extern const NumberRule fraction_number; ///< 0 to 1
+extern const NumberRule pixel_aspect;    ///< what a bake accepts: 0.5 to 2
 
 /// The whole of `text` as a decimal number (or "inf", "nan") in the C locale; nothing when anything is left
 /// over.

@@ -104,6 +104,22 @@ TEST_CASE("Scale and bias act on the height and may not leave 0..1") {
     CHECK(heights(plane(2, 1, {0, .5f}), true, options) == plane(2, 1, {.25f, 0}));
 }
 
+TEST_CASE("Texels longer than the proof of the cones covers are refused") {
+    HeightOptions options;
+    for (const double aspect : {0.5, 1.0, 2.0}) {
+        options.pixel_aspect = aspect;
+        const auto checked = make_height_field(plane(1, 1, {0}), true, options, "test.png");
+        REQUIRE(checked);
+        CHECK(checked->field.grid().pixel_aspect == aspect);
+    }
+    for (const double aspect : {0.499, 2.001, 0.0, -1.0, double(NAN), double(INFINITY)}) {
+        options.pixel_aspect = aspect;
+        const Error error = refusal(plane(1, 1, {0}), true, options);
+        CHECK(error.code == ErrorCode::usage);
+        CHECK(error.message.find("resample") != std::string::npos);
+    }
+}
+
 TEST_CASE("Wrap is chosen per axis, and a given one is kept") {
     const Image<float> ramp = plane(5, 1, {0, .25f, .5f, .75f, 1});
     HeightOptions options;
