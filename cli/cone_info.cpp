@@ -2,6 +2,7 @@
 
 #include "bake/filter_delta.h"
 #include "cli/version.h"
+#include "formats/shortest_decimal.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,7 +17,7 @@ std::map<std::string, double> statistics_of(const DepthMap& depth, const ConeMap
     const double sum = std::accumulate(cones.ratio.begin(), cones.ratio.end(), 0.0);
     return {{"depth_min", double(*shallow) / max_code(depth.bits)},
             {"depth_max", double(*deep) / max_code(depth.bits)},
-            {"ratio_min", *std::min_element(cones.ratio.begin(), cones.ratio.end())},
+            {"ratio_min", shortest_decimal(*std::min_element(cones.ratio.begin(), cones.ratio.end()))},
             {"ratio_mean", sum / double(cones.ratio.size())},
             {"zero_codes", double(encoded.zero_codes)}};
 }
@@ -35,7 +36,7 @@ ReliefMapInfo describe_cones(const ConePlan& plan, const SourceImage& source, co
     info.cone_max = encoded.ratio_max;
     info.depth_scale = plan.depth_scale;
     info.filter_delta = filter_delta(depth);
-    info.tolerance = cones.options.tolerance;
+    info.tolerance = shortest_decimal(cones.options.tolerance);
     info.guarantee = "C";
     info.version = version();
     info.source_hash = source.pixel_hash;

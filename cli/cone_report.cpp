@@ -2,6 +2,7 @@
 
 #include "cli/choices.h"
 #include "formats/map_json.h"
+#include "formats/shortest_decimal.h"
 
 #include <cmath>
 #include <cstdio>
@@ -38,6 +39,8 @@ json cone_result(const ConeRun& run) {
     json seconds = json::object();
     for (const auto& [stage, duration] : run.seconds)
         seconds[stage] = duration;
+    const auto number = [](double sample) { return shortest_decimal(float(sample)); };
+    const json map = to_json(run.info, run.grid);
     return {
         {"input", run.plan.given.input},
         {"output", run.plan.given.output},
@@ -46,14 +49,14 @@ json cone_result(const ConeRun& run) {
           {"channel", run.source.channel},
           {"bit_depth", run.source.bit_depth},
           {"is_integer", run.source.is_integer},
-          {"low", h.source_low},
-          {"high", h.source_high},
+          {"low", number(h.source_low)},
+          {"high", number(h.source_high)},
           {"filled_texels", h.bad_texels}}},
-        {"range", {{"low", h.range_low}, {"high", h.range_high}, {"from_data", h.range_from_data}}},
+        {"range", {{"low", number(h.range_low)}, {"high", number(h.range_high)}, {"from_data", h.range_from_data}}},
         {"wrap", {word_of_wrap(run.grid.wrap_x), word_of_wrap(run.grid.wrap_y)}},
         {"seam", {h.seam_x.border, h.seam_y.border}},
-        {"map", to_json(run.info, run.grid)},
-        {"statistics", run.info.statistics},
+        {"map", map},
+        {"statistics", map["statistics"]},
         {"warnings", run.warnings},
         {"threads", run.plan.cone.threads},
         {"seconds", seconds},

@@ -2,6 +2,7 @@
 
 #include "cli/choices.h"
 #include "formats/map_json.h"
+#include "formats/shortest_decimal.h"
 
 #include <charconv>
 
@@ -20,7 +21,7 @@ std::string wrap_words(const TexelGrid& grid) {
 }
 
 std::string ratio_formula(const ReliefMapInfo& info, const std::string& cone, const std::string& depth) {
-    const std::string max = digits(info.cone_max);
+    const std::string max = digits(shortest_decimal(info.cone_max));
     switch (info.encoding) {
     case ConeEncoding::ratio:
         return cone + " * " + max;

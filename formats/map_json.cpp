@@ -1,5 +1,7 @@
 #include "formats/map_json.h"
 
+#include "formats/shortest_decimal.h"
+
 #include <cmath>
 #include <limits>
 
@@ -16,6 +18,17 @@ constexpr std::array surface_words{"bilinear", "texel"};
 constexpr std::array wrap_words{"repeat", "clamp"};
 constexpr std::array normal_y_words{"gl", "dx"};
 constexpr std::array layout_words{"rgba", "named"};
+
+// JSON has no infinity.
+constexpr const char* infinity_word = "inf";
+
+json number_or_word(double value) { return std::isinf(value) ? json(infinity_word) : json(value); }
+
+std::optional<double> number_or_infinity(const json& value) {
+    if (value.is_number()) return value.get<double>();
+    if (value == infinity_word) return std::numeric_limits<double>::infinity();
+    return std::nullopt;
+}
 
 json bits_to_json(BitDepth bits) {
     switch (bits) {
@@ -109,12 +122,12 @@ void read_statistics(const Reader& reader, MapMetadata& metadata) {
         return;
     }
     for (const auto& [key, value] : statistics->items())
-        if (value.is_number()) metadata.statistics[key] = value.get<double>();
+        if (const auto number = number_or_infinity(value)) metadata.statistics[key] = *number;
 }
 
 std::optional<float> read_cone_max(const Reader& reader) {
     const json* value = reader.find("cone_max");
-    if (value && value->is_string() && value->get<std::string>() == "inf") return std::numeric_limits<float>::infinity();
+    if (value && *value == infinity_word) return std::numeric_limits<float>::infinity();
     const auto finite = reader.number("cone_max", std::numeric_limits<float>::min(), std::numeric_limits<float>::max());
     return finite ? std::optional(float(*finite)) : std::nullopt;
 }
@@ -128,7 +141,7 @@ std::array<std::string, 4> channel_names(ChannelLayout layout) {
 
 json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
     json statistics = json::object();
-    for (const auto& [key, value] : info.statistics) statistics[key] = value;
+    for (const auto& [key, value] : info.statistics) statistics[key] = number_or_word(value);
     return {
         {"kind", info.kind},
         {"version", info.version},
@@ -141,7 +154,7 @@ json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
         {"surface", surface_words[std::size_t(info.surface)]},
         {"encoding", encoding_words[std::size_t(info.encoding)]},
         {"bits", bits_to_json(info.bits)},
-        {"cone_max", std::isinf(info.cone_max) ? json("inf") : json(info.cone_max)},
+        {"cone_max", number_or_word(shortest_decimal(info.cone_max))},
         {"layout", layout_words[std::size_t(info.layout)]},
         {"channels", channel_names(info.layout)},
         {"normal_y", normal_y_words[std::size_t(info.normal_y)]},

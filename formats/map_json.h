@@ -12,7 +12,7 @@
 
 namespace reliefbake {
 
-/// Every fact, keys as in docs/FORMATS.md. An infinite cone_max is the string "inf": JSON has no infinity.
+/// Every fact, keys as in docs/FORMATS.md. An infinite cone_max or statistic is the string "inf": JSON has no infinity.
 nlohmann::json to_json(const ReliefMapInfo& info, const TexelGrid& grid);
 
 /// What a file says; a fact is empty when the file is silent.

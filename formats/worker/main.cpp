@@ -5,6 +5,7 @@
 #include "formats/shared_memory.h"
 #include "formats/worker/decoder.h"
 #include "formats/worker/encoder.h"
+#include "formats/worker/leave_with_tool.h"
 #include "formats/worker/limits.h"
 
 #include <OpenImageIO/imageio.h>
@@ -104,10 +105,9 @@ Answer answer_or_error(Conversation& conversation, Message& request) {
     }
 }
 
-/// One thread: the tool runs many jobs, this process is one of them, and OpenEXR's pool must not multiply.
+/// One thread: the tool runs many jobs, and this process is one of them.
 void configure_library() {
     OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1);
     OIIO::attribute("plugin_searchpath", "");
     OIIO::attribute("try_all_readers", 0);
     OIIO::attribute("limits:imagesize_MB", std::numeric_limits<int>::max()); // check_claims judges, with a clear line
@@ -120,6 +120,7 @@ void configure_library() {
 int main() {
     using namespace reliefbake;
     worker::limit_process();
+    worker::leave_with_tool(worker::socket_fd);
     worker::configure_library();
     worker::Conversation conversation;
     for (;;) {

@@ -1,8 +1,11 @@
 #include "formats/map_json.h"
+#include "formats/shortest_decimal.h"
 
 #include <catch2/catch.hpp>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -58,6 +61,25 @@ TEST_CASE("an infinite cap survives") {
     const auto json = to_json(info, {});
     CHECK(json["cone_max"] == "inf");
     CHECK(map_metadata_from(json.dump()).cone_max == info.cone_max);
+}
+
+TEST_CASE("an infinite statistic survives") {
+    ReliefMapInfo info = sample_info();
+    info.statistics["ratio_mean"] = std::numeric_limits<double>::infinity();
+    const auto json = to_json(info, {});
+    CHECK(json["statistics"]["ratio_mean"] == "inf");
+    CHECK(map_metadata_from(json.dump()).statistics == info.statistics);
+}
+
+TEST_CASE("floats are told by their shortest digits, and come back") {
+    CHECK(shortest_decimal(0.001f) == 0.001);
+    CHECK(to_json(sample_info(), {})["cone_max"] == 0.3);
+    CHECK(std::isinf(shortest_decimal(std::numeric_limits<float>::infinity())));
+    std::mt19937 random(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const float value = std::bit_cast<float>(std::uint32_t(random()));
+        if (std::isfinite(value)) REQUIRE(float(shortest_decimal(value)) == value);
+    }
 }
 
 TEST_CASE("malicious values are named, never believed") {
