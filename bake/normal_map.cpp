@@ -1,5 +1,7 @@
 #include "bake/normal_map.h"
 
+#include "bake/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,11 +44,11 @@ constexpr double longest_xy = 1 - 1.0 / (1 << 22);
 
 } // namespace
 
-NormalMap bake_normals(const DepthMap& depth, double depth_scale) {
+NormalMap bake_normals(const DepthMap& depth, double depth_scale, int threads) {
     const int width = depth.grid.width, height = depth.grid.height;
     NormalMap map{depth.grid, Image<float>(width, height), Image<float>(width, height)};
     const Slopes slopes(depth, depth_scale);
-    for (int y = 0; y < height; ++y)
+    parallel_for(height, threads, [&](int y) {
         for (int x = 0; x < width; ++x) {
             // The surface height is -depth: its normal is (d depth/du, d depth/d up, 1), and up is -down.
             const double nx = slopes.x(x, y), ny = -slopes.down(x, y);
@@ -56,6 +58,7 @@ NormalMap bake_normals(const DepthMap& depth, double depth_scale) {
             map.x(x, y) = float(nx * shrink);
             map.y(x, y) = float(ny * shrink);
         }
+    });
     return map;
 }
 

@@ -14,7 +14,7 @@ struct NormalMap {
 };
 
 /// Central differences of the stored depth, wrap-aware. `depth_scale`: depth of the relief in texture widths; it fixes
-/// the slope (physical: depth / size).
-NormalMap bake_normals(const DepthMap& depth, double depth_scale);
+/// the slope (physical: depth / size). `threads`: 0: all the process may use; same bits for every number of them.
+NormalMap bake_normals(const DepthMap& depth, double depth_scale, int threads = 0);
 
 } // namespace reliefbake

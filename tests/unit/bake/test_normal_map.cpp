@@ -74,6 +74,17 @@ TEST_CASE("The steepest cliff keeps a positive z in float arithmetic") {
         REQUIRE(1 - map.x[i] * map.x[i] - map.y[i] * map.y[i] > 0);
 }
 
+TEST_CASE("Same normals for every number of threads") {
+    std::mt19937 random(3);
+    const DepthMap depth = stored(clamped(33, 41), [&](int, int) { return random() / 4294967296.0; });
+    const NormalMap alone = bake_normals(depth, 0.3, 1);
+    for (const int threads : {0, 2, 7}) {
+        const NormalMap map = bake_normals(depth, 0.3, threads);
+        CHECK(map.x == alone.x);
+        CHECK(map.y == alone.y);
+    }
+}
+
 TEST_CASE("Axes of one texel are flat") {
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
         const NormalMap map = bake_normals(stored({1, 1, wrap, wrap, 1}, [](int, int) { return 0.3; }), 1);
