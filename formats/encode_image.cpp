@@ -26,6 +26,16 @@ std::string fixed_time(const char* format) {
     return text;
 }
 
+/// Lossless, at the levels where half the time costs a few per cent of size: measurements in docs/FORMATS.md.
+void add_compression(EncodeRequest& request) {
+    nlohmann::json& attributes = request.attributes;
+    if (request.writer == "openexr") attributes["compression"] = "zip:2";
+    if (request.writer == "tiff") attributes["compression"] = "zip";
+    if (request.writer == "tiff") attributes["tiff:zipquality"] = 4;
+    if (request.writer == "png") attributes["png:compressionLevel"] = 4;
+    if (request.writer == "targa") attributes["compression"] = "none";
+}
+
 void add_common_attributes(EncodeRequest& request) {
     nlohmann::json& attributes = request.attributes;
     attributes["Software"] = "reliefbake " RELIEFBAKE_VERSION;
@@ -33,8 +43,7 @@ void add_common_attributes(EncodeRequest& request) {
     if (request.writer == "png" || request.writer == "targa") attributes["oiio:UnassociatedAlpha"] = 1;
     if (request.writer != "png") attributes["DateTime"] = fixed_time("%Y:%m:%d %H:%M:%S");
     if (request.writer == "openexr") attributes["capDate"] = fixed_time("%Y:%m:%d %H:%M:%S");
-    if (request.writer == "openexr" || request.writer == "tiff") attributes["compression"] = "zip";
-    if (request.writer == "targa") attributes["compression"] = "none";
+    add_compression(request);
     if (request.writer == "tiff" && request.sample == "half") attributes["tiff:half"] = 1;
 }
 
@@ -53,11 +62,14 @@ Result<SharedMemory> encode_image(const EncodeRequest& given, const SharedMemory
     const std::uint64_t bytes = pixel_bytes(request);
     const nlohmann::json message{{"do", "encode"},          {"writer", request.writer},     {"width", request.width},
                                  {"height", request.height}, {"channels", request.channels}, {"sample", request.sample},
-                                 {"pixels", request.pixels}, {"attributes", request.attributes}, {"bytes", bytes}};
+                                 {"pixels", request.pixels}, {"attributes", request.attributes}, {"bytes", bytes},
+                                 {"threads", request.threads}};
     // The pixels, the library's converted copy, the encoded bytes twice, and room for doubling vectors. Deflate at 2 MiB
     // a second is the slowest that 16-bit noise gives.
     constexpr std::uint64_t scratch = 256ull << 20;
-    const ImageWorker::Limits limits{int(10 + bytes / (2u << 20)), scratch + 8 * bytes};
+    constexpr std::uint64_t thread_memory = 160ull << 20; // address space: a stack, an allocator's arena, buffers
+    const std::uint64_t memory = scratch + 8 * bytes + std::uint64_t(request.threads) * thread_memory;
+    const ImageWorker::Limits limits{int(10 + bytes / (2u << 20)), memory};
 
     ImageWorker& worker = ImageWorker::instance();
     const auto lock = worker.lock();

@@ -20,6 +20,7 @@ struct EncodeRequest {
     std::string sample;                ///< as stored in the file
     std::string pixels;                ///< as handed over; float becomes half by rounding to nearest
     nlohmann::json attributes = nlohmann::json::object(); ///< strings and integers
+    int threads = 1; ///< for formats whose blocks are compressed one by one (EXR); changes no byte
 };
 
 /// Bytes that `request.pixels` samples of the whole image take.

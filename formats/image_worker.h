@@ -8,7 +8,7 @@
 //   open   {do, reader, memory, cpu} + file     -> claims (claims_from_json)
 //   read   {do, channels, cpu}                  -> {bytes} + shared memory, then {rows} for each block of rows in it;
 //   next   {do}  once a block has been taken    -> {rows}: float samples, interleaved in the order of `channels`
-//   encode {do, writer, width, height, channels, sample, attributes, bytes, cpu} + pixels -> {bytes} + encoded file
+//   encode {do, writer, width, height, channels, sample, attributes, bytes, threads, cpu} + pixels -> {bytes} + encoded file
 // `memory` (bytes of address space above the worker's own) and `cpu` (seconds) are the limits of that request.
 
 #include "bake/error.h"

@@ -17,8 +17,9 @@ Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, 
 
 /// Encodes in memory and writes atomically: `path` is complete, or what it was before. Same map, same bytes, on any day
 /// (SOURCE_DATE_EPOCH is honoured). Half stores what the channels hold when a half can, else the nearest half.
-/// TGA keeps no metadata: reading it back needs every hint. Errors: usage, cannot_create, write_failed, internal.
-Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map);
+/// TGA keeps no metadata: reading it back needs every hint. `threads` compress an EXR; they change no byte.
+/// Errors: usage, cannot_create, write_failed, internal.
+Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map, int threads = 1);
 
 /// What to assume where a file does not say (maps baked by others), or to insist on. Given values win over metadata.
 struct MapHints {

@@ -68,13 +68,14 @@ EncodeRequest request_for(MapFormat format, const ReliefMap& map) {
 
 } // namespace
 
-Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map) {
+Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map, int threads) {
     if (Result<void> checked = check_map_format(path, map.info.bits, map.info.layout); !checked) return checked;
     const Planes planes{&map.normal_x, &map.normal_y, &map.cone, &map.depth};
     for ([[maybe_unused]] const Image<float>* plane : planes)
         assert(plane->width() == map.grid.width && plane->height() == map.grid.height);
 
-    const EncodeRequest request = request_for(*map_format_of(path), map);
+    EncodeRequest request = request_for(*map_format_of(path), map);
+    request.threads = threads;
     Result<SharedMemory> file = [&]() -> Result<SharedMemory> {
         const auto pixels = SharedMemory::create(pixel_bytes(request));
         if (!pixels) return fail(ErrorCode::write_failed, path.string() + ": no memory to encode it in");

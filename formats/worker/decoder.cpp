@@ -110,9 +110,14 @@ void gather(const std::byte* native, std::size_t pixels, int stride, std::span<c
 
 } // namespace
 
+void use_exr_threads(int threads) {
+    OIIO::attribute("exr_threads", threads > 1 ? threads : -1); // -1: none beside the caller's
+}
+
 Decoder::Decoder(const std::string& reader, int fd)
     : path_("/proc/self/fd/" + std::to_string(fd)), input_(OIIO::ImageInput::create(reader)) {
     if (!input_) throw Refusal("this build of OpenImageIO has no " + reader + " reader");
+    use_exr_threads(1);
     // Alpha is data here: hand out the stored numbers, not premultiplied ones.
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;

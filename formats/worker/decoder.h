@@ -17,6 +17,9 @@ struct Refusal : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Threads that OpenEXR uses for the files opened from now on.
+void use_exr_threads(int threads);
+
 class Decoder {
   public:
     /// Opens the file behind `fd` with the named reader and no other. Throws Refusal.

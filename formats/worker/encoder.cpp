@@ -41,6 +41,8 @@ std::vector<unsigned char> encode(const json& request, std::span<const std::byte
     OIIO::Filesystem::IOVecOutput memory(file);
     output->set_ioproxy(&memory);
 
+    use_exr_threads(request.at("threads").get<int>());
+
     // Judge by what the calls return: the TIFF writer leaves an error message after good files too.
     const bool ok = output->open("memory", wanted) && output->write_image(given, pixels.data()) && output->close();
     if (!ok) throw Refusal("cannot be encoded: " + output->geterror());
