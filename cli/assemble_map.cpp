@@ -3,6 +3,7 @@
 #include "bake/stored_code.h"
 
 #include <cmath>
+#include <utility>
 
 namespace reliefbake {
 
@@ -13,31 +14,28 @@ float stored_normal(float n, BitDepth bits) {
     return std::copysign(stored_value(nearest_code(std::fabs(n), bits), bits), n);
 }
 
-Image<float> stored_normals(const Image<float>& plane, float sign, BitDepth bits) {
-    Image<float> stored(plane.width(), plane.height());
-    for (std::size_t i = 0; i < plane.size(); ++i)
-        stored[i] = stored_normal(sign * plane[i], bits);
-    return stored;
+Image<float> stored_normals(Image<float> plane, float sign, BitDepth bits) {
+    for (float& n : plane)
+        n = stored_normal(sign * n, bits);
+    return plane;
 }
 
-Image<float> sampled_depth(const DepthMap& depth) {
-    Image<float> sampled = depth.level;
-    for (float& level : sampled)
+Image<float> sampled_depth(DepthMap depth) {
+    for (float& level : depth.level)
         level /= float(max_code(depth.bits));
-    return sampled;
+    return std::move(depth.level);
 }
 
 } // namespace
 
-ReliefMap assemble_map(const ReliefMapInfo& info, const DepthMap& depth, const EncodedConeMap& cones,
-                       const NormalMap& normals) {
+ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, EncodedConeMap cones, NormalMap normals) {
     const float y_sign = info.normal_y == NormalY::gl ? 1.0f : -1.0f;
     return {info,
             depth.grid,
-            stored_normals(normals.x, 1, info.bits),
-            stored_normals(normals.y, y_sign, info.bits),
-            cones.value,
-            sampled_depth(depth)};
+            stored_normals(std::move(normals.x), 1, info.bits),
+            stored_normals(std::move(normals.y), y_sign, info.bits),
+            std::move(cones.value),
+            sampled_depth(std::move(depth))};
 }
 
 } // namespace reliefbake

@@ -9,8 +9,8 @@
 namespace reliefbake {
 
 /// Rounds the normals to codes of `info.bits` (unorm: 0.5 n + 0.5), turns y for NormalY::dx, and puts
-/// normals, cones and depth side by side. All planes have the depth's grid.
-ReliefMap assemble_map(const ReliefMapInfo& info, const DepthMap& depth, const EncodedConeMap& cones,
-                       const NormalMap& normals);
+/// normals, cones and depth side by side. All planes have the depth's grid. By value: a caller that is done with a
+/// plane moves it in and saves its memory.
+ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, EncodedConeMap cones, NormalMap normals);
 
 } // namespace reliefbake

@@ -10,6 +10,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace reliefbake {
 
@@ -19,8 +22,29 @@ namespace {
 HeightOptions with_no_data(HeightOptions options, const SourceImage& source) {
     if (!options.no_data) options.no_data = source.no_data;
     if (options.no_data && source.is_integer)
-        options.no_data = float(*options.no_data / (std::exp2(source.bit_depth) - 1));
+        options.no_data = float(*options.no_data / (std::ldexp(1.0, source.bit_depth) - 1));
     return options;
+}
+
+/// The stored surface, and where it comes from.
+struct StoredHeight {
+    SourceImage source; ///< its plane is gone
+    HeightReport report;
+    DepthMap depth;
+};
+
+Result<StoredHeight> read_depth(const ConePlan& plan, StageClock& clock) {
+    const ConeCommandOptions& given = plan.given;
+    Result<SourceImage> source = clock.time("read", [&] { return read_image(given.input, given.read); });
+    if (!source) return tl::unexpected(source.error());
+    const Result<CheckedHeight> height = clock.time("height", [&] {
+        return make_height_field(source->plane, source->is_integer, with_no_data(given.height, *source),
+                                 given.input);
+    });
+    if (!height) return tl::unexpected(height.error());
+    source->plane = {};
+    DepthMap depth = clock.time("quantise", [&] { return quantise_depth(height->field, plan.bits); });
+    return StoredHeight{std::move(*source), height->report, std::move(depth)};
 }
 
 ConeMap bake_timed_cones(const DepthMap& depth, const ConeOptions& options, StageClock& clock) {
@@ -54,29 +78,27 @@ Result<void> ConeCommand::bake(const ConePlan& plan) {
     const ConeCommandOptions& given = plan.given;
     StageClock clock(!given.quiet);
 
-    Result<SourceImage> source = clock.time("read", [&] { return read_image(given.input, given.read); });
-    if (!source) return tl::unexpected(source.error());
-    const Result<CheckedHeight> height = clock.time("height", [&] {
-        return make_height_field(source->plane, source->is_integer, with_no_data(given.height, *source),
-                                 given.input);
-    });
-    if (!height) return tl::unexpected(height.error());
-    source->plane = {};
-
-    const DepthMap depth = clock.time("quantise", [&] { return quantise_depth(height->field, plan.bits); });
-    const ConeMap cones = bake_timed_cones(depth, plan.cone, clock);
-    const EncodedConeMap encoded = clock.time("encode", [&] {
+    Result<StoredHeight> stored = read_depth(plan, clock);
+    if (!stored) return tl::unexpected(stored.error());
+    DepthMap& depth = stored->depth;
+    ConeMap cones = bake_timed_cones(depth, plan.cone, clock);
+    EncodedConeMap encoded = clock.time("encode", [&] {
         return encode_cones(cones, depth, {given.encoding, plan.bits});
     });
-    const NormalMap normals = clock.time("normals", [&] { return bake_normals(depth, plan.depth_scale); });
+    NormalMap normals = clock.time("normals", [&] {
+        return bake_normals(depth, plan.depth_scale, plan.cone.threads);
+    });
 
-    const ReliefMapInfo info = describe_cones(plan, *source, depth, cones, encoded);
-    const ReliefMap map = assemble_map(info, depth, encoded, normals);
-    const Result<void> written = clock.time("write", [&] { return write_map(given.output, map); });
+    const ReliefMapInfo info = describe_cones(plan, stored->source, depth, cones, encoded);
+    const std::vector<std::string> warnings = cone_warnings(given, stored->source, depth, cones, encoded);
+    cones = {};
+
+    const ReliefMap map = assemble_map(info, std::move(depth), std::move(encoded), std::move(normals));
+    const Result<void> written =
+        clock.time("write", [&] { return write_map(given.output, map, plan.cone.threads); });
     if (!written) return written;
     clock.stop();
-    print({plan, *source, height->report, info, depth.grid,
-           cone_warnings(given, *source, depth, cones, encoded), clock.seconds()});
+    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds()});
     return {};
 }
 

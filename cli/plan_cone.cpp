@@ -57,6 +57,14 @@ Result<void> validate_cone_max(const ConeCommandOptions& options, BitDepth bits)
                 "--cone-max inf: needs --encoding normal, or --encoding radius with --bits half|float");
 }
 
+/// Steeper than anything; beyond, squares of slopes leave double's range.
+constexpr double largest_depth_scale = 1e6;
+
+Result<void> validate_depth_scale(double scale) {
+    if (scale > 0 && scale <= largest_depth_scale) return {};
+    return fail(ErrorCode::usage, "--depth-uv, or --depth over --size: expected a depth above 0 and up to 1e6 texture widths");
+}
+
 double depth_scale_of(const ConeCommandOptions& options) {
     if (options.size_metres) return *options.depth_metres / *options.size_metres;
     return options.depth_uv.value_or(ReliefMapInfo().depth_scale);
@@ -74,6 +82,7 @@ Result<ConePlan> plan_cone(const ConeCommandOptions& options) {
     return validate_output(options)
         .and_then([&] { return check_map_format(options.output, plan.bits, plan.layout); })
         .and_then([&] { return validate_cone_max(options, plan.bits); })
+        .and_then([&] { return validate_depth_scale(plan.depth_scale); })
         .and_then([&] { return validate_output_folder(options.output); })
         .and_then([&] { return resolve_threads(options.cone.threads); })
         .map([&](int threads) {

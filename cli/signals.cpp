@@ -1,5 +1,6 @@
 #include "cli/signals.h"
 
+#include "cli/stage_clock.h"
 #include "formats/atomic_file.h"
 
 #include <csignal>
@@ -12,6 +13,7 @@ namespace {
 // A shell reports a process ended by signal N as 128 + N (POSIX sh, "Exit Status for Commands").
 void clean_up_and_exit(int signal) {
     remove_temporaries_on_signal();
+    erase_progress_on_signal();
     _exit(128 + signal);
 }
 

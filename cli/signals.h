@@ -3,7 +3,7 @@
 
 namespace reliefbake {
 
-/// On SIGINT and SIGTERM: removes the temporaries of writes in progress and exits 130 or 143.
+/// On SIGINT and SIGTERM: removes the temporaries of writes in progress and the progress line, and exits 130 or 143.
 void leave_no_temporaries_when_interrupted() noexcept;
 
 } // namespace reliefbake

@@ -30,6 +30,9 @@ class ProgressLine {
     std::thread thread_;
 };
 
+/// Takes the line off the terminal if it is there; async-signal-safe.
+void erase_progress_on_signal() noexcept;
+
 class StageClock {
   public:
     using Seconds = std::vector<std::pair<std::string, double>>;
