@@ -122,6 +122,19 @@ TEST_CASE("Unbounded cones are taken where a code for them exists") {
     CHECK(map["cone_max"] == "inf");
 }
 
+TEST_CASE("Numbers are told as people write them, and infinity as a word") {
+    const json roof = bake(height_map("gz_dem_squared_129.tif") + " -o told.png --cone-max 0.3");
+    CHECK(roof["map"]["tolerance"].dump() == "0.001");
+    CHECK(roof["map"]["cone_max"].dump() == "0.3");
+    // A flat map has nothing above it: without a cap, none of its cones has a bound.
+    const json flat = bake(height_map("gz_dem_squared_129.tif") +
+                           " -o flat.exr --encoding normal --cone-max inf --scale 0 --bias 1");
+    const json schema = json::parse(bytes_of(std::string(RELIEFBAKE_SCHEMA_DIR) + "/cone.schema.json"));
+    CHECK(schema_fault(flat, schema) == "");
+    CHECK(flat["statistics"]["ratio_mean"] == "inf");
+    CHECK(explain("flat.exr") == flat["map"]);
+}
+
 TEST_CASE("stdout holds the summary, --quiet nothing") {
     const std::string arguments = "cone " + height_map("gz_dem_squared_129.tif") + " -o quiet.png";
     const Outcome loud = run_tool(arguments);

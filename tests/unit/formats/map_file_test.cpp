@@ -42,7 +42,7 @@ ReliefMap map_of_every_code(BitDepth bits, ChannelLayout layout) {
     map.info.bits = bits;
     map.info.layout = layout;
     map.info.cone_max = std::numeric_limits<float>::infinity();
-    map.info.guarantee = "C";
+    map.info.guarantee.assign(1, 'C');
     map.info.statistics = {{"zero_codes", 0}, {"ratio_mean", 1.0 / 3}};
     map.grid = {256, 256, Wrap::repeat, Wrap::clamp, 1.25};
     Image<float>* planes[] = {&map.normal_x, &map.normal_y, &map.cone, &map.depth};
