@@ -53,6 +53,8 @@ void VerifyCommand::add_to(CLI::App& app) {
     app.add_option("--points", options_.verify.points, "Points of the direct check (default 20000)")
         ->check(CLI::Range(0, 100000000));
     app.add_option("--seed", options_.verify.seed, "Of the direct check (default 1)");
+    app.add_option("--crop", options_.verify.crop, "Side of the crop whose tightness is measured; 0: none (default 64)")
+        ->check(CLI::Range(0, 1024));
     add_thread_option(app, options_.verify.threads);
     app.option_defaults()->group("Technique");
     add_choice(app, "--technique", options_.verify.technique, technique_words, "How rays are followed (default cone)");

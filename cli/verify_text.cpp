@@ -37,7 +37,8 @@ std::string verify_text(const VerifyReport& report) {
                  static_cast<unsigned long long>(report.cones.violations),
                  static_cast<unsigned long long>(report.cones.points), report.cones.worst, report.cones.u,
                  report.cones.v);
-    text += line("tightness: %.4f of the best one value per texel can do\n", report.tightness);
+    if (report.tightness)
+        text += line("tightness: %.4f of the best one value per texel can do\n", *report.tightness);
     if (report.depth_difference)
         text += line("depth: at most %.3e from the source\n", *report.depth_difference);
     return text + "verdict: " + to_string(report.verdict) + "\n";

@@ -97,8 +97,9 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     check.threads = options.threads;
     report.cones = check_cones(map, surface, check);
     TightnessOptions tight;
+    tight.crop = options.crop;
     tight.threads = options.threads;
-    report.tightness = tightness(map, surface, tight);
+    if (tight.crop > 0) report.tightness = tightness(map, surface, tight);
 
     // What rays make of them.
     const std::vector<ViewAngle> views = view_angles();

@@ -29,6 +29,7 @@ struct VerifyOptions {
     int max_steps = 512;       ///< of the march (--steps)
     int points = 20000;        ///< for the direct check of cones (--points)
     std::uint64_t seed = 1;    ///< of the direct check (--seed)
+    int crop = 64;             ///< side of the crop whose tightness is measured; 0: none, the slowest part (--crop)
     int threads = 0;           ///< of the oracle; the report does not depend on it (--threads)
     bool pictures = false;     ///< keep pictures of every view (--pictures)
     const DepthMap* source = nullptr; ///< the source's depth, quantised as the map's, to compare the stored depth with
@@ -51,7 +52,7 @@ struct VerifyReport {
     ConeCheck cones;
     Comparison total;
     double tolerance = 0;  ///< height that a hit may be off (CompareOptions)
-    double tightness = 0;  ///< mean r / r_footprint over a crop
+    std::optional<double> tightness; ///< mean r / r_footprint over a crop, when one was asked for
     double oracle_rays_per_second = 0; ///< rays judged per second and all threads
     std::optional<double> depth_difference; ///< largest |stored - source| depth, when a source was given
     std::vector<ViewReport> views;
@@ -63,7 +64,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options =
 std::string to_string(Verdict verdict);
 
 /// Keys: verdict, missed and early (shares of rays), mse, steps_mean, steps_max, fetches_mean, out_of_steps, violations
-/// (of `points`), worst (with its place), tightness, tolerance, rays, oracle_rays_per_second, depth_difference, views.
+/// (of `points`), worst (with its place), tightness (null without a crop), tolerance, rays, oracle_rays_per_second, depth_difference, views.
 nlohmann::json to_json(const VerifyReport& report);
 
 } // namespace reliefbake

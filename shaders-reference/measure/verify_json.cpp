@@ -36,7 +36,7 @@ nlohmann::json to_json(const VerifyReport& report) {
                      {"u", report.cones.u},
                      {"v", report.cones.v},
                      {"heading", report.cones.heading}};
-    json["tightness"] = report.tightness;
+    json["tightness"] = report.tightness ? nlohmann::json(*report.tightness) : nlohmann::json();
     json["tolerance"] = report.tolerance;
     json["oracle_rays_per_second"] = report.oracle_rays_per_second;
     if (report.depth_difference) json["depth_difference"] = *report.depth_difference;

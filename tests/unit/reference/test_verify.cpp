@@ -39,8 +39,8 @@ TEST_CASE("a proven map is judged safe", "[verify]") {
     CHECK(report.verdict == Verdict::safe);
     CHECK(report.total.missed == 0);
     CHECK(report.total.rays > 10000);
-    CHECK(report.tightness > 0.5);
-    CHECK(report.tightness < 1);
+    CHECK(report.tightness.value() > 0.5);
+    CHECK(report.tightness.value() < 1);
     REQUIRE(report.depth_difference);
     CHECK(*report.depth_difference < 1.0 / 65535);
     CHECK_FALSE(report.views.front().pictures);
@@ -54,7 +54,7 @@ TEST_CASE("cones twice too wide are judged unsafe by rays and by points", "[veri
     CHECK(report.verdict == Verdict::unsafe);
     CHECK(report.cones.violations > 0);
     CHECK(report.total.missed > 0);
-    CHECK(report.tightness > 1.5);
+    CHECK(report.tightness.value() > 1.5);
 }
 
 TEST_CASE("a texel map keeps its word and is not conservative", "[verify]") {
