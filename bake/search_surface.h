@@ -14,11 +14,10 @@ struct SearchSurface {
     Metric metric;
     SurfaceModel model;
     Image<float> height;
-    float slope_floor;    ///< the slope of the widest cone: no slope below it is of interest
-
+    float slope_floor; ///< the slope of the widest cone: no slope below it is of interest
 
     /// Squared L2 distances between lattice points shrink by this much (texels^2) when the bilinear surface between
-    /// them is meant: docs/SAFETY.md, "Far constraints". 0 where lattice distances are exact.
+    /// them is meant: docs/SAFETY.md, "Deflated distances". 0 where lattice distances are exact.
     float distance_deflation() const;
     /// Whether a texel's cone must hold in the four cells around it, and so over its 3x3 texels.
     bool has_footprint() const { return model == SurfaceModel::bilinear; }
@@ -31,7 +30,7 @@ constexpr int near_radius = 10;
 /// half-texel lattice up to two texels, texels up to near_radius.
 Image<float> near_slopes(const SearchSurface& surface, int threads);
 
-/// Squared distances of `surface`'s metric, deflated; `dx`, `dy` in texels.
+/// Distance in texels of a displacement by (dx, dy) lattice steps, in the surface's metric, deflated.
 double deflated_distance(const SearchSurface& surface, double dx, double dy);
 
 } // namespace reliefbake

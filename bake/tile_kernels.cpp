@@ -1,0 +1,217 @@
+#include "bake/tile_kernels.h"
+
+#include "bake/search_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bake/tile_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace reliefbake {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using D = HWY_CAPPED(float, 8);
+using V = hn::Vec<D>;
+
+/// The nearest image of a displacement along an axis of this period (+inf: there is one image).
+HWY_INLINE V NearestImage(V e, float period) {
+    const D d;
+    const V p = hn::Set(d, period), half = hn::Set(d, 0.5f * period);
+    e = hn::IfThenElse(hn::Gt(e, half), hn::Sub(e, p), e);
+    return hn::IfThenElse(hn::Lt(e, hn::Neg(half)), hn::Add(e, p), e);
+}
+HWY_INLINE float NearestImage(float e, float period) {
+    return e > 0.5f * period ? e - period : e < -0.5f * period ? e + period : e;
+}
+
+template <bool kL1>
+HWY_INLINE V Length(V x, V y) {
+    const D d;
+    const V length = kL1 ? hn::Add(hn::Abs(x), hn::Abs(y)) : hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
+    return hn::Max(length, hn::Set(d, 1e-6f));
+}
+
+/// slope times the derivative of the length along component `e`; per_length = slope / length (L1: the slope).
+template <bool kL1>
+HWY_INLINE V Direction(V e, V per_length) {
+    return kL1 ? hn::CopySign(per_length, e) : hn::Mul(e, per_length);
+}
+
+/// The deflated distance for absolute displacements (dx, dy) >= 0; squared in the L2 metric.
+template <bool kL1>
+HWY_INLINE V Reach(const SearchSpace& space, V dx, V dy) {
+    const D d;
+    if (kL1) return hn::Max(hn::Add(dx, dy), hn::Sqrt(hn::Set(d, space.near_distance_sq)));
+    const V sq = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+    return hn::Sub(hn::Max(sq, hn::Set(d, space.near_distance_sq)), hn::Set(d, space.deflation));
+}
+
+/// Whether a texel above `slope` can lie at `reach`: L1 compares rises, L2 their squares.
+template <bool kL1>
+HWY_INLINE auto Exceeds(V rise, V slope, V reach) {
+    if (kL1) return hn::Gt(rise, hn::Mul(slope, reach));
+    return hn::Gt(hn::Mul(rise, rise), hn::Mul(hn::Mul(slope, slope), reach));
+}
+
+/// Whether a box of this height may matter to any texel of a half column; a first, cheap test for four rows.
+/// `dx`: distance along x to the box, whose centre and half extent along y are given.
+template <bool kL1>
+HWY_INLINE bool HalfColumnsNeed(const SearchSpace& space, const Tile& tile, int half, int i, float height, V dx,
+                                float centre_y, float half_y, V factor) {
+    const D d;
+    constexpr int rows = tile_size / 2;
+    const float middle = 0.5f * (tile.y[half * rows] + tile.y[half * rows + rows - 1]);
+    const float gap = std::fabs(NearestImage(centre_y - middle, space.period_y)) - half_y - 0.5f * (rows - 1);
+    const V reach = Reach<kL1>(space, dx, hn::Set(d, std::max(gap, 0.0f) * space.aspect));
+    const V lowest = hn::Load(d, tile.half_lowest + half * tile_size + i);
+    const V need = hn::Mul(hn::Load(d, tile.half_need + half * tile_size + i), factor);
+    const V rise = hn::Max(hn::Sub(hn::Set(d, height), lowest), hn::Zero(d));
+    return !hn::AllFalse(d, Exceeds<kL1>(rise, need, reach));
+}
+
+/// Whether any texel of the tile may need the node. `shrink`: least ratio of deflated to plain distance between them.
+template <bool kL1>
+bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& node, float shrink) {
+    const D d;
+    const V factor = hn::Set(d, space.tolerance_factor), zero = hn::Zero(d);
+    const V half_x = hn::Set(d, node.half_x), half_y = hn::Set(d, node.half_y * space.aspect);
+    const V gx = hn::Set(d, node.gx), gy = hn::Set(d, node.gy / space.aspect);
+    for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
+        const V ex = NearestImage(hn::Sub(hn::Set(d, node.cx), hn::Load(d, tile.x + i)), space.period_x);
+        const V dx = hn::Max(hn::Sub(hn::Abs(ex), half_x), zero);
+        // The plane is meant for one image of the node: not where another one may be as near.
+        const auto one_image = hn::Le(hn::Add(hn::Abs(ex), half_x), hn::Set(d, 0.5f * space.period_x));
+        for (int j = 0; j < tile_size; ++j) {
+            if (j % (tile_size / 2) == 0 && !HalfColumnsNeed<kL1>(space, tile, j / (tile_size / 2), i, node.max, dx,
+                                                                  node.cy, node.half_y, factor)) {
+                j += tile_size / 2 - 1;
+                continue;
+            }
+            // The maximum.
+            const int at = j * tile_size + i;
+            const V need = hn::Mul(hn::Load(d, tile.need + at), factor);
+            const V height = hn::Load(d, tile.height + at);
+            const float ey = NearestImage(node.cy - tile.y[j], space.period_y);
+            const float dy = std::max(std::fabs(ey) - node.half_y, 0.0f) * space.aspect;
+            const V rise = hn::Max(hn::Sub(hn::Set(d, node.max), height), zero);
+            auto matters = Exceeds<kL1>(rise, need, Reach<kL1>(space, dx, hn::Set(d, dy)));
+            if (hn::AllFalse(d, matters)) continue;
+            // The plane: F(v) = need |v| - (rise of the plane at v) is convex in v, so its tangent at the node's
+            // centre bounds it from below over the whole node.
+            if (std::fabs(ey) + node.half_y <= 0.5f * space.period_y) {
+                const V vy = hn::Set(d, ey * space.aspect);
+                const V distance = Length<kL1>(ex, vy);
+                const V slope = hn::Mul(need, hn::Set(d, shrink));
+                const V spare = hn::Sub(hn::Mul(slope, distance), hn::Sub(hn::Set(d, node.plane), height));
+                const V per_length = kL1 ? slope : hn::Div(slope, distance);
+                const V fall_x = hn::Mul(hn::Abs(hn::Sub(Direction<kL1>(ex, per_length), gx)), half_x);
+                const V fall_y = hn::Mul(hn::Abs(hn::Sub(Direction<kL1>(vy, per_length), gy)), half_y);
+                const auto held = hn::Ge(spare, hn::Add(fall_x, fall_y));
+                matters = hn::AndNot(hn::And(held, one_image), matters);
+            }
+            if (!hn::AllFalse(d, matters)) return true;
+        }
+    }
+    return false;
+}
+
+/// Compares one texel with the whole tile and keeps what it asks for. Returns whether anything was raised.
+template <bool kL1>
+bool CompareTexel(const SearchSpace& space, Tile& tile, float bx, float by, float height) {
+    const D d;
+    bool raised = false;
+    const V near = hn::Set(d, float(near_radius) + 0.5f);
+    for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
+        const V dx = hn::Abs(NearestImage(hn::Sub(hn::Set(d, bx), hn::Load(d, tile.x + i)), space.period_x));
+        for (int j = 0; j < tile_size; ++j) {
+            const int at = j * tile_size + i;
+            const float dy = std::fabs(NearestImage(by - tile.y[j], space.period_y));
+            const V need = hn::Load(d, tile.need + at);
+            const V rise = hn::Max(hn::Sub(hn::Set(d, height), hn::Load(d, tile.height + at)), hn::Zero(d));
+            const V reach = Reach<kL1>(space, dx, hn::Set(d, dy * space.aspect));
+            const auto far = hn::Gt(hn::Max(dx, hn::Set(d, dy)), near);
+            const auto better = hn::And(Exceeds<kL1>(rise, need, reach), far);
+            if (hn::AllFalse(d, better)) continue;
+            const V slope = hn::IfThenElseZero(better, hn::Div(rise, kL1 ? reach : hn::Sqrt(reach)));
+            hn::Store(hn::Max(slope, need), d, tile.need + at);
+            hn::Store(hn::Max(slope, hn::Load(d, tile.found + at)), d, tile.found + at);
+            raised = true;
+        }
+    }
+    return raised;
+}
+
+/// Texels of a leaf row that may exceed the tile's least need, as bits.
+std::uint32_t LeafCandidates(const SearchSpace& space, const Tile& tile, const float* heights, float x, float y,
+                             float threshold) {
+    const HWY_CAPPED(float, MaxPyramid::leaf_size) d;
+    using W = hn::Vec<decltype(d)>;
+    static_assert(MaxPyramid::leaf_size == 4);
+    float dy = std::fabs(y - tile.centre_y);
+    dy = std::max(std::min(dy, space.period_y - dy) - tile.half_y, 0.0f) * space.aspect;
+    std::uint32_t bits = 0;
+    for (int i = 0; i < MaxPyramid::leaf_size; i += int(hn::Lanes(d))) {
+        const W rise = hn::Max(hn::Sub(hn::LoadU(d, heights + i), hn::Set(d, tile.lowest)), hn::Zero(d));
+        W dx = hn::Abs(hn::Sub(hn::Iota(d, x + float(i)), hn::Set(d, tile.centre_x)));
+        dx = hn::Max(hn::Sub(hn::Min(dx, hn::Sub(hn::Set(d, space.period_x), dx)), hn::Set(d, tile.half_x)), hn::Zero(d));
+        const W sum = hn::Add(dx, hn::Set(d, dy));
+        W sq = space.l1 ? hn::Mul(sum, sum) : hn::Add(hn::Mul(dx, dx), hn::Set(d, dy * dy));
+        sq = hn::Sub(hn::Max(sq, hn::Set(d, space.near_distance_sq)), hn::Set(d, space.deflation));
+        const auto matters = hn::Gt(hn::Mul(rise, rise), hn::Mul(hn::Set(d, threshold), sq));
+        std::uint8_t mask[8] = {};
+        hn::StoreMaskBits(d, matters, mask);
+        bits |= std::uint32_t(mask[0]) << i;
+    }
+    return bits;
+}
+
+/// Refreshes the half columns' needs; returns the least of all.
+float SummariseNeeds(Tile& tile) {
+    const D d;
+    V least = hn::Load(d, tile.need);
+    for (int half = 0; half < 2; ++half)
+        for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
+            constexpr int rows = tile_size / 2;
+            V low = hn::Load(d, tile.need + half * rows * tile_size + i);
+            for (int j = 1; j < rows; ++j) low = hn::Min(low, hn::Load(d, tile.need + (half * rows + j) * tile_size + i));
+            hn::Store(low, d, tile.half_need + half * tile_size + i);
+            least = hn::Min(least, low);
+        }
+    return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+bool TileNeedsL2(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<false>(s, t, n, shrink);
+}
+bool TileNeedsL1(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<true>(s, t, n, shrink);
+}
+bool CompareTexelL2(const SearchSpace& s, Tile& t, float x, float y, float h) { return CompareTexel<false>(s, t, x, y, h); }
+bool CompareTexelL1(const SearchSpace& s, Tile& t, float x, float y, float h) { return CompareTexel<true>(s, t, x, y, h); }
+
+} // namespace HWY_NAMESPACE
+} // namespace reliefbake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace reliefbake {
+HWY_EXPORT(TileNeedsL2);
+HWY_EXPORT(TileNeedsL1);
+HWY_EXPORT(CompareTexelL2);
+HWY_EXPORT(CompareTexelL1);
+HWY_EXPORT(SummariseNeeds);
+HWY_EXPORT(LeafCandidates);
+
+TileKernels tile_kernels(bool l1) {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets()); // so that the addresses are final
+    return {l1 ? &HWY_DYNAMIC_DISPATCH(TileNeedsL1) : &HWY_DYNAMIC_DISPATCH(TileNeedsL2),
+            l1 ? &HWY_DYNAMIC_DISPATCH(CompareTexelL1) : &HWY_DYNAMIC_DISPATCH(CompareTexelL2),
+            &HWY_DYNAMIC_DISPATCH(LeafCandidates), &HWY_DYNAMIC_DISPATCH(SummariseNeeds)};
+}
+
+} // namespace reliefbake
+#endif // HWY_ONCE
