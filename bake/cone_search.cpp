@@ -74,9 +74,9 @@ class TileSearch {
                 tile_.lowest = std::min(tile_.lowest, tile_.height[at]);
             }
         }
-        for (int k = 0; k < 2 * tile_size; ++k) {
-            const float* column = tile_.height + (k / tile_size) * (tile_texels / 2) + k % tile_size;
-            tile_.half_lowest[k] = std::min({column[0], column[8], column[16], column[24]});
+        for (int k = 0; k < tile_strips * tile_size; ++k) {
+            const float* column = tile_.height + k / tile_size * strip_rows * tile_size + k % tile_size;
+            tile_.strip_lowest[k] = std::min({column[0], column[tile_size], column[2 * tile_size], column[3 * tile_size]});
         }
         const int x1 = std::min(x0 + tile_size, w) - 1, y1 = std::min(y0 + tile_size, h) - 1;
         tile_.centre_x = 0.5f * float(x0 + x1), tile_.half_x = 0.5f * float(x1 - x0);

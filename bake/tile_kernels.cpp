@@ -57,19 +57,18 @@ HWY_INLINE auto Exceeds(V rise, V slope, V reach) {
     return hn::Gt(hn::Mul(rise, rise), hn::Mul(hn::Mul(slope, slope), reach));
 }
 
-/// Whether a box of this height may matter to any texel of a half column; a first, cheap test for four rows.
+/// Whether a box of this height may matter to any texel of a strip's columns: the first, cheap test.
 /// `dx`: distance along x to the box, whose centre and half extent along y are given.
 template <bool kL1>
-HWY_INLINE bool HalfColumnsNeed(const SearchSpace& space, const Tile& tile, int half, int i, float height, V dx,
-                                float centre_y, float half_y, V factor) {
+HWY_INLINE bool StripNeeds(const SearchSpace& space, const Tile& tile, int strip, int i, const PyramidNode& node, V dx,
+                           V factor) {
     const D d;
-    constexpr int rows = tile_size / 2;
-    const float middle = 0.5f * (tile.y[half * rows] + tile.y[half * rows + rows - 1]);
-    const float gap = std::fabs(NearestImage(centre_y - middle, space.period_y)) - half_y - 0.5f * (rows - 1);
+    const float middle = tile.y[strip * strip_rows] + 0.5f * (strip_rows - 1);
+    const float gap = std::fabs(NearestImage(node.cy - middle, space.period_y)) - node.half_y - 0.5f * (strip_rows - 1);
     const V reach = Reach<kL1>(space, dx, hn::Set(d, std::max(gap, 0.0f) * space.aspect));
-    const V lowest = hn::Load(d, tile.half_lowest + half * tile_size + i);
-    const V need = hn::Mul(hn::Load(d, tile.half_need + half * tile_size + i), factor);
-    const V rise = hn::Max(hn::Sub(hn::Set(d, height), lowest), hn::Zero(d));
+    const V lowest = hn::Load(d, tile.strip_lowest + strip * tile_size + i);
+    const V need = hn::Mul(hn::Load(d, tile.strip_need + strip * tile_size + i), factor);
+    const V rise = hn::Max(hn::Sub(hn::Set(d, node.max), lowest), hn::Zero(d));
     return !hn::AllFalse(d, Exceeds<kL1>(rise, need, reach));
 }
 
@@ -86,9 +85,8 @@ bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& no
         // The plane is meant for one image of the node: not where another one may be as near.
         const auto one_image = hn::Le(hn::Add(hn::Abs(ex), half_x), hn::Set(d, 0.5f * space.period_x));
         for (int j = 0; j < tile_size; ++j) {
-            if (j % (tile_size / 2) == 0 && !HalfColumnsNeed<kL1>(space, tile, j / (tile_size / 2), i, node.max, dx,
-                                                                  node.cy, node.half_y, factor)) {
-                j += tile_size / 2 - 1;
+            if (j % strip_rows == 0 && !StripNeeds<kL1>(space, tile, j / strip_rows, i, node, dx, factor)) {
+                j += strip_rows - 1;
                 continue;
             }
             // The maximum.
@@ -169,16 +167,16 @@ std::uint32_t LeafCandidates(const SearchSpace& space, const Tile& tile, const f
     return bits;
 }
 
-/// Refreshes the half columns' needs; returns the least of all.
+/// Refreshes the strips' needs; returns the least of all.
 float SummariseNeeds(Tile& tile) {
     const D d;
     V least = hn::Load(d, tile.need);
-    for (int half = 0; half < 2; ++half)
+    for (int strip = 0; strip < tile_strips; ++strip)
         for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
-            constexpr int rows = tile_size / 2;
-            V low = hn::Load(d, tile.need + half * rows * tile_size + i);
-            for (int j = 1; j < rows; ++j) low = hn::Min(low, hn::Load(d, tile.need + (half * rows + j) * tile_size + i));
-            hn::Store(low, d, tile.half_need + half * tile_size + i);
+            const float* column = tile.need + strip * strip_rows * tile_size + i;
+            V low = hn::Load(d, column);
+            for (int j = 1; j < strip_rows; ++j) low = hn::Min(low, hn::Load(d, column + j * tile_size));
+            hn::Store(low, d, tile.strip_need + strip * tile_size + i);
             least = hn::Min(least, low);
         }
     return hn::GetLane(hn::MinOfLanes(d, least));

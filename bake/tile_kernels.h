@@ -9,6 +9,8 @@ namespace reliefbake {
 
 constexpr int tile_size = 8;
 constexpr int tile_texels = tile_size * tile_size;
+constexpr int strip_rows = 4; ///< rows of a strip: what a first, cheap test takes together, column by column
+constexpr int tile_strips = tile_size / strip_rows;
 
 /// The metric, periods and limits of a search. Distances in texels; y is scaled by the pixel aspect.
 struct SearchSpace {
@@ -24,7 +26,7 @@ struct SearchSpace {
 struct alignas(32) Tile {
     float x[tile_size], y[tile_size];
     float height[tile_texels], need[tile_texels], found[tile_texels];
-    float half_lowest[2 * tile_size], half_need[2 * tile_size]; ///< least of each half column
+    float strip_lowest[tile_strips * tile_size], strip_need[tile_strips * tile_size]; ///< least of each strip's columns
     float centre_x, centre_y, half_x, half_y, lowest;
 };
 
@@ -36,7 +38,7 @@ struct TileKernels {
     bool (*compare_texel)(const SearchSpace&, Tile&, float x, float y, float height);
     /// Texels of a row of a leaf that may exceed the tile's least need, as bits; `threshold` is that need squared.
     std::uint32_t (*leaf_candidates)(const SearchSpace&, const Tile&, const float* heights, float x, float y, float threshold);
-    /// Refreshes the half columns' needs; returns the least of all.
+    /// Refreshes the strips' needs; returns the least of all.
     float (*summarise_needs)(Tile&);
 };
 
