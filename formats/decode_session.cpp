@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -25,7 +26,10 @@ namespace {
 constexpr std::uint64_t scratch_memory = 160ull << 20;
 
 /// Processor time for decoding: a slow codec delivers 16 MiB of samples a second, and a second to get going.
-int decode_seconds(std::uint64_t bytes) { return int(2 + bytes / (16ull << 20)); }
+int decode_seconds(std::uint64_t bytes) {
+    constexpr std::uint64_t longest = 24 * 3600; // also keeps a boundless --max-bytes inside an int
+    return int(std::min(2 + bytes / (16ull << 20), longest));
+}
 
 Result<DecodeSession::InputFile> open_input(const std::filesystem::path& path) {
     // O_NONBLOCK: opening a FIFO must not wait for a writer.
@@ -59,7 +63,8 @@ Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std
     session.format_ = *format;
     const std::uint64_t allowed = decode_budget(file->bytes, max_bytes);
     // Twice: a progressive JPEG keeps 16-bit coefficients, an interlaced PNG its rows, and the reader's copy.
-    session.memory_ = scratch_memory + (allowed > (1ull << 60) ? allowed : 2 * allowed);
+    constexpr std::uint64_t boundless = 1ull << 60;
+    session.memory_ = scratch_memory + 2 * std::min(allowed, boundless);
 
     ImageWorker& worker = ImageWorker::instance();
     session.lock_ = worker.lock();

@@ -109,13 +109,14 @@ Result<void> ImageWorker::start() {
 
 /// Ends the worker, if it has not ended yet, and says how it ended.
 std::string ImageWorker::stop() {
-    socket_.reset();
     int status = 0;
-    // A process that is already dying keeps the status it is dying with.
+    // A process that is already dying keeps the status it is dying with. The socket closes last: a helper that sees it
+    // close leaves by itself, and that is not how this one ends.
     ::kill(pid_, SIGKILL);
     pid_t waited;
     do waited = ::waitpid(pid_, &status, 0);
     while (waited < 0 && errno == EINTR);
+    socket_.reset();
     pid_ = 0;
     return waited > 0 ? describe_end(status) : "the image helper disappeared";
 }

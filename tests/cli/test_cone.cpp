@@ -135,6 +135,11 @@ TEST_CASE("Numbers are told as people write them, and infinity as a word") {
     CHECK(explain("flat.exr") == flat["map"]);
 }
 
+TEST_CASE("A boundless budget is a budget") {
+    for (const std::string bytes : {"18446744073709551615", "1024GB"})
+        bake(height_map("gz_dem_squared_129.tif") + " -o budget.png --max-bytes " + bytes);
+}
+
 TEST_CASE("stdout holds the summary, --quiet nothing") {
     const std::string arguments = "cone " + height_map("gz_dem_squared_129.tif") + " -o quiet.png";
     const Outcome loud = run_tool(arguments);
