@@ -28,7 +28,7 @@ constexpr std::uint64_t scratch_memory = 160ull << 20;
 /// Processor time for decoding: a slow codec delivers 16 MiB of samples a second, and a second to get going.
 int decode_seconds(std::uint64_t bytes) {
     constexpr std::uint64_t longest = 24 * 3600; // also keeps a boundless --max-bytes inside an int
-    return int(std::min(2 + bytes / (16ull << 20), longest));
+    return int(std::min<std::uint64_t>(2 + bytes / (16ull << 20), longest));
 }
 
 Result<DecodeSession::InputFile> open_input(const std::filesystem::path& path) {

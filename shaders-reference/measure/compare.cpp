@@ -4,15 +4,22 @@
 #include "shaders-reference/oracle/first_hit.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace reliefbake {
 namespace {
 
 ReliefRay ray_of(const Quad& ray) { return {ray[0], ray[1], 1, ray[2], ray[3], -1}; }
 
+/// What float32 allows on this ray: see CompareOptions.
+double ray_tolerance(const ReliefRay& ray, double t, const CompareOptions& options) {
+    const double u = std::max(std::abs(ray.u), std::abs(ray.u + t * ray.du));
+    const double v = std::max(std::abs(ray.v), std::abs(ray.v + t * ray.dv));
+    return options.tolerance + position_rounding * std::max(u, v) * options.steepest;
+}
+
 /// Sums over one row; divided only at the end, so that rows may be done in any order.
 Comparison compare_row(const BilinearSurface& surface, const Rendering& rendering, const CompareOptions& options, int row) {
-    const double raised_by = options.tolerance + 2 * options.filter_delta;
     Comparison sum;
     for (int column = 0; column < rendering.width(); ++column) {
         const std::size_t pixel = std::size_t(row) * std::size_t(rendering.width()) + std::size_t(column);
@@ -22,9 +29,11 @@ Comparison compare_row(const BilinearSurface& surface, const Rendering& renderin
         const Quad& counts = rendering.counts[pixel];
         const double t = counts[3];
 
-        const auto lowered = first_hit(surface, ray, options.tolerance, t);
+        const double tolerance = ray_tolerance(ray, t, options);
+        sum.tolerance_max = std::max(sum.tolerance_max, tolerance);
+        const auto lowered = first_hit(surface, ray, tolerance, t);
         if (lowered && lowered->t < t) ++sum.missed;
-        else if (!first_hit(surface, ray, -raised_by, t)) ++sum.early;
+        else if (!first_hit(surface, ray, -tolerance - 2 * options.filter_delta, t)) ++sum.early;
         const double error = (1 - t) - surface.height(ray.u + t * ray.du, ray.v + t * ray.dv);
         ++sum.rays;
         sum.out_of_steps += status == RayStatus::out_of_steps;
@@ -37,6 +46,19 @@ Comparison compare_row(const BilinearSurface& surface, const Rendering& renderin
 }
 
 } // namespace
+
+double steepest_slope(const BilinearSurface& surface) {
+    const TexelGrid& grid = surface.grid();
+    double steepest = 0;
+    for (int j = -1; j < grid.height; ++j)
+        for (int i = -1; i < grid.width; ++i) {
+            const Patch p = surface.patch(i, j);
+            const double along_u = std::max(std::abs(p.h10 - p.h00), std::abs(p.h11 - p.h01)) * grid.width;
+            const double along_v = std::max(std::abs(p.h01 - p.h00), std::abs(p.h11 - p.h10)) * grid.height;
+            steepest = std::max(steepest, along_u + along_v);
+        }
+    return steepest;
+}
 
 Comparison compare_with_oracle(const BilinearSurface& surface, const Rendering& rendering, const CompareOptions& options) {
     std::vector<Comparison> rows(std::size_t(rendering.height()));
@@ -52,6 +74,7 @@ Comparison compare_with_oracle(const BilinearSurface& surface, const Rendering& 
         total.steps_mean += row.steps_mean;
         total.steps_max = std::max(total.steps_max, row.steps_max);
         total.fetches_mean += row.fetches_mean;
+        total.tolerance_max = std::max(total.tolerance_max, row.tolerance_max);
     }
     if (total.rays == 0) return total;
     total.mse /= double(total.rays);
@@ -73,6 +96,7 @@ Comparison combined(const Comparison& a, const Comparison& b) {
     sum.steps_mean = share_a * a.steps_mean + share_b * b.steps_mean;
     sum.steps_max = std::max(a.steps_max, b.steps_max);
     sum.fetches_mean = share_a * a.fetches_mean + share_b * b.fetches_mean;
+    sum.tolerance_max = std::max(a.tolerance_max, b.tolerance_max);
     return sum;
 }
 

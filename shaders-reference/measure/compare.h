@@ -7,14 +7,22 @@
 namespace reliefbake {
 
 struct CompareOptions {
-    /// Height by which a hit may lie under the true first hit's surface, or above it. A shader's position has float32
-    /// rounding, up to 2e-7 texture widths for rays a few tiles long: on a cliff of one texel in a 1024 map
-    /// that is 2e-4 of height. 1/4096 is a sixteenth of an 8-bit level.
+    /// Height by which a hit may lie under the true first hit's surface, or above it: 1/4096 is a sixteenth of an 8-bit level.
     double tolerance = 1.0 / 4096;
+    /// Steepest slope of the surface, height per unit of u plus height per unit of v (steepest_slope). A shader's position has
+    /// float32 rounding, position_rounding times its distance from the tile's corner; on a cliff that is a height, and it is
+    /// added to the tolerance of the ray. 6 widths away on a cliff of one texel in a 1024 map it is 1.5e-3.
+    double steepest = 0;
     /// Largest height error of the sampler; the march subtracts it, so a hit may lie twice as high and not be early.
     double filter_delta = 0;
     int threads = 0; ///< 0: all; the result does not depend on it
 };
+
+/// Four roundings of a float32 position: direction times t, plus origin, times size, minus a half texel.
+constexpr double position_rounding = 0x1p-22;
+
+/// Largest |dH/du| + |dH/dv| over all cells.
+double steepest_slope(const BilinearSurface& surface);
 
 struct Comparison {
     std::uint64_t rays = 0;
@@ -25,6 +33,7 @@ struct Comparison {
     double steps_mean = 0;
     double steps_max = 0;
     double fetches_mean = 0;
+    double tolerance_max = 0; ///< largest tolerance of any ray
 };
 
 /// Follows each pixel's ray, as the shader recorded it, over `surface`.

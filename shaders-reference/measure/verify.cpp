@@ -106,7 +106,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     CompareOptions compare;
     compare.threads = options.threads;
     compare.filter_delta = options.filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;
-    report.tolerance = compare.tolerance;
+    compare.steepest = steepest_slope(surface);
     double oracle_seconds = 0;
     for (const ViewAngle& view : views) {
         const RenderOptions drawing = frame(map.grid, view, options.rays / int(views.size()), options);
@@ -124,6 +124,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
         }
         report.views.push_back(std::move(entry));
     }
+    report.tolerance = report.total.tolerance_max;
     report.oracle_rays_per_second = oracle_seconds > 0 ? double(report.total.rays) / oracle_seconds : 0;
     report.verdict = judge(map, report.cones, report.total);
     return report;

@@ -51,7 +51,7 @@ struct VerifyReport {
     Verdict verdict = Verdict::safe;
     ConeCheck cones;
     Comparison total;
-    double tolerance = 0;  ///< height that a hit may be off (CompareOptions)
+    double tolerance = 0;  ///< height that a hit may be off, of the ray that was allowed most (CompareOptions)
     std::optional<double> tightness; ///< mean r / r_footprint over a crop, when one was asked for
     double oracle_rays_per_second = 0; ///< rays judged per second and all threads
     std::optional<double> depth_difference; ///< largest |stored - source| depth, when a source was given
