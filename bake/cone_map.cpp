@@ -4,12 +4,14 @@
 
 #include "bake/cone_search.h"
 #include "bake/max_pyramid.h"
+#include "bake/parallel.h"
 #include "bake/search_surface.h"
 
 #include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace reliefbake {
@@ -40,7 +42,10 @@ double slope_unit(const DepthMap& depth) { return double(depth.grid.width) / max
 
 SearchSurface make_search_surface(const DepthMap& depth, const ConeOptions& options) {
     SearchSurface surface{depth.grid, options.metric, options.surface, Image<float>(depth.grid.width, depth.grid.height), 0.0f};
-    for (std::size_t i = 0; i < depth.level.size(); ++i) surface.height[i] = -depth.level[i];
+    parallel_for(depth.grid.height, options.threads, [&](int y) {
+        const float* level = depth.level.row(y);
+        std::transform(level, level + depth.grid.width, surface.height.row(y), std::negate<>());
+    });
     const double cap = std::min(double(options.ratio_max), widest_ratio);
     surface.slope_floor = float(1 / (cap * slope_unit(depth) * (1 + double(options.tolerance)) * rounding_margin));
     return surface;
@@ -82,10 +87,13 @@ ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatis
     stats.seconds_near = watch.lap();
 
     stats.node_tests = search_far_slopes(surface, pyramid, options.tolerance, options.threads, slopes);
-    stats.seconds_search = watch.lap();
 
     ConeMap cones{depth.grid, options, std::move(slopes)};
-    for (float& value : cones.ratio) value = ratio_of(value, slope_unit(depth), options.ratio_max);
+    parallel_for(depth.grid.height, options.threads, [&](int y) {
+        for (float* value = cones.ratio.row(y); value != cones.ratio.row(y) + depth.grid.width; ++value)
+            *value = ratio_of(*value, slope_unit(depth), options.ratio_max);
+    });
+    stats.seconds_search = watch.lap();
     if (std::isinf(options.ratio_max)) open_topmost_cones(surface, cones.ratio);
     return cones;
 }

@@ -81,36 +81,54 @@ class TileSearch {
         const int x1 = std::min(x0 + tile_size, w) - 1, y1 = std::min(y0 + tile_size, h) - 1;
         tile_.centre_x = 0.5f * float(x0 + x1), tile_.half_x = 0.5f * float(x1 - x0);
         tile_.centre_y = 0.5f * float(y0 + y1), tile_.half_y = 0.5f * float(y1 - y0);
+        lay_floor();
         refresh_threshold();
     }
 
-    void refresh_threshold() {
-        const float need = kernels_.summarise_needs(tile_) * space_.tolerance_factor;
-        threshold_ = need * need;
-    }
-
-    /// Distance along one axis from the tile to a node, for the nearest image.
-    static float gap(const MaxPyramid::Span& node, float centre, float half, float period) {
-        const float e = std::fabs(node.centre - centre);
-        return std::max(std::min(e, period - e) - (node.half + half), 0.0f);
-    }
-
-    /// Queues those nodes of a quad of level k whose steepest slope between the boxes of tile and node exceeds some need.
-    void push_quad(int k, int i, int j) {
-        const PyramidQuad& quad = pyramid_.quad(k, i, j);
-        const std::size_t first = stack_.size();
-        float dx[2], dy[2];
-        for (int c = 0; c < 2; ++c) {
-            dx[c] = gap(MaxPyramid::span(k, 2 * i + c, surface_.grid.width), tile_.centre_x, tile_.half_x, space_.period_x);
-            dy[c] = gap(MaxPyramid::span(k, 2 * j + c, surface_.grid.height), tile_.centre_y, tile_.half_y, space_.period_y) *
-                    space_.aspect;
+    /// A plane under the tile's texels. Any slopes are right; good ones are those between the means of its halves.
+    void lay_floor() {
+        float left = 0, right = 0, top = 0, bottom = 0, largest = 0;
+        for (int at = 0; at < tile_texels; ++at) {
+            (at % tile_size < tile_size / 2 ? left : right) += tile_.height[at];
+            (at < tile_texels / 2 ? top : bottom) += tile_.height[at];
+            largest = std::max(largest, std::fabs(tile_.height[at]));
         }
-        for (int c = 0; c < 4; ++c) {
-            const float x = dx[c & 1], y = dy[c >> 1];
-            const float plain = std::max(space_.l1 ? (x + y) * (x + y) : x * x + y * y, space_.near_distance_sq);
-            const float rise = std::max(quad.max[c] - tile_.lowest, 0.0f), deflated = plain - space_.deflation;
-            if (rise * rise <= threshold_ * deflated) continue;
-            stack_.push_back({k, 2 * i + (c & 1), 2 * j + (c >> 1), rise * rise / deflated, plain});
+        constexpr float between_halves = 0.5f * tile_size * (0.5f * tile_texels);
+        tile_.gx = (right - left) / between_halves, tile_.gy = (bottom - top) / between_halves;
+        tile_.floor = std::numeric_limits<float>::infinity();
+        for (int at = 0; at < tile_texels; ++at) {
+            const float dx = tile_.x[at % tile_size] - tile_.centre_x, dy = tile_.y[at / tile_size] - tile_.centre_y;
+            tile_.floor = std::min(tile_.floor, tile_.height[at] - (tile_.gx * dx + tile_.gy * dy));
+        }
+        tile_.floor -= 2 * plane_slack * largest; // with the plane's own rise, up to three times as high
+    }
+
+    void refresh_threshold() {
+        least_need_ = kernels_.summarise_needs(tile_) * space_.tolerance_factor;
+        threshold_ = least_need_ * least_need_;
+    }
+
+    /// From the tile's centre to a node's, for the nearest image.
+    static float towards(const MaxPyramid::Span& node, float centre, float period) {
+        const float e = node.centre - centre;
+        return e > 0.5f * period ? e - period : e < -0.5f * period ? e + period : e;
+    }
+
+    /// Queues those nodes of a quad of level k that may hold a slope above the tile's least need.
+    void push_quad(int k, int i, int j) {
+        QuadPlace place;
+        for (int c = 0; c < 2; ++c) {
+            const MaxPyramid::Span x = MaxPyramid::span(k, 2 * i + c, surface_.grid.width);
+            const MaxPyramid::Span y = MaxPyramid::span(k, 2 * j + c, surface_.grid.height);
+            place.ex[c] = towards(x, tile_.centre_x, space_.period_x), place.half_x[c] = x.half;
+            place.ey[c] = towards(y, tile_.centre_y, space_.period_y) * space_.aspect, place.half_y[c] = y.half * space_.aspect;
+        }
+        QuadBounds bounds;
+        std::uint32_t bits = kernels_.quad_needs(space_, tile_, pyramid_.quad(k, i, j), place, least_need_, bounds);
+        const std::size_t first = stack_.size();
+        for (; bits != 0; bits &= bits - 1) {
+            const int c = std::countr_zero(bits);
+            stack_.push_back({k, 2 * i + (c & 1), 2 * j + (c >> 1), bounds.slope_sq[c], bounds.distance_sq[c]});
         }
         // The steepest goes on top: an insertion sort of four at most.
         for (std::size_t a = first + 1; a < stack_.size(); ++a)
@@ -134,21 +152,21 @@ class TileSearch {
     }
 
     void compare_leaf(int i, int j) {
-        constexpr int s = MaxPyramid::leaf_size;
-        const int x0 = i * s, width = std::min(s, surface_.grid.width - x0);
-        for (int y = j * s; y < std::min(j * s + s, surface_.grid.height); ++y) {
-            float heights[s];
-            for (int k = 0; k < s; ++k) heights[k] = surface_.height(x0 + std::min(k, width - 1), y);
-            std::uint32_t bits = kernels_.leaf_candidates(space_, tile_, heights, float(x0), float(y), threshold_);
-            bool raised = false;
-            for (bits &= (1u << width) - 1; bits != 0; bits &= bits - 1) {
-                const int k = std::countr_zero(bits);
-                if (!kernels_.compare_texel(space_, tile_, float(x0 + k), float(y), heights[k])) continue;
-                remember(float(x0 + k), float(y), heights[k]);
-                raised = true;
-            }
-            if (raised) refresh_threshold();
+        constexpr int side = MaxPyramid::leaf_size;
+        const int x0 = i * side, y0 = j * side;
+        const int width = std::min(side, surface_.grid.width - x0), height = std::min(side, surface_.grid.height - y0);
+        LeafTexels leaf{float(x0), float(y0), {}};
+        std::fill(std::begin(leaf.height), std::end(leaf.height), -std::numeric_limits<float>::infinity());
+        for (int y = 0; y < height; ++y) std::copy_n(surface_.height.row(y0 + y) + x0, width, leaf.height + y * side);
+        bool raised = false;
+        for (std::uint32_t bits = kernels_.leaf_candidates(space_, tile_, leaf, threshold_); bits != 0; bits &= bits - 1) {
+            const int at = std::countr_zero(bits);
+            const float x = float(x0 + at % side), y = float(y0 + at / side);
+            if (!kernels_.compare_texel(space_, tile_, x, y, leaf.height[at])) continue;
+            remember(x, y, leaf.height[at]);
+            raised = true;
         }
+        if (raised) refresh_threshold();
     }
 
     const SearchSurface& surface_;
@@ -156,7 +174,8 @@ class TileSearch {
     const SearchSpace& space_;
     const TileKernels kernels_;
     Tile tile_;
-    float threshold_ = 0; ///< square of the least slope that still matters to the tile
+    float least_need_ = 0; ///< the least slope that still matters to the tile
+    float threshold_ = 0;  ///< its square
     std::vector<NodeRef> stack_;
     std::vector<Witness> witnesses_; ///< the last texels that raised a need
     std::size_t next_witness_ = 0;

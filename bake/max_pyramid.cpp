@@ -21,9 +21,6 @@ void place(PyramidNode& node, Box box) {
     node.half_y = 0.5f * float(box.y1 - 1 - box.y0);
 }
 
-/// The plane's offset is raised by this share of the heights it was computed from, more than float rounding can lose.
-constexpr float plane_slack = 1e-6f;
-
 PyramidNode leaf_node(const Image<float>& heights, Box box, double& mean) {
     PyramidNode node{};
     place(node, box);
@@ -151,18 +148,19 @@ Level level_above(const Level& below, int threads) {
     return level;
 }
 
-std::vector<PyramidQuad> pack(const Level& level) {
+std::vector<PyramidQuad> pack(const Level& level, int threads) {
     const int quads_x = (level.width + 1) / 2, quads_y = (level.height + 1) / 2;
     PyramidQuad outside{};
     std::fill(std::begin(outside.max), std::end(outside.max), -INFINITY);
     std::vector<PyramidQuad> quads(std::size_t(quads_x) * quads_y, outside);
-    for (int j = 0; j < level.height; ++j)
+    parallel_for(level.height, threads, [&](int j) {
         for (int i = 0; i < level.width; ++i) {
             const PyramidNode& n = level.nodes[std::size_t(j) * level.width + i];
             PyramidQuad& q = quads[std::size_t(j / 2) * quads_x + i / 2];
             const int c = (i & 1) + 2 * (j & 1);
             q.max[c] = n.max, q.plane[c] = n.plane, q.gx[c] = n.gx, q.gy[c] = n.gy;
         }
+    });
     return quads;
 }
 
@@ -172,10 +170,10 @@ MaxPyramid build_max_pyramid(const Image<float>& heights, int threads) {
     MaxPyramid pyramid;
     pyramid.width_ = heights.width(), pyramid.height_ = heights.height();
     Level level = leaf_level(heights, threads);
-    pyramid.levels_.push_back(pack(level));
+    pyramid.levels_.push_back(pack(level, threads));
     while (level.nodes.size() > 1) {
         level = level_above(level, threads);
-        pyramid.levels_.push_back(pack(level));
+        pyramid.levels_.push_back(pack(level, threads));
     }
     return pyramid;
 }

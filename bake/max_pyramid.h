@@ -8,6 +8,9 @@
 
 namespace reliefbake {
 
+/// A plane's offset is moved away by this share of the heights it was computed from, more than float rounding can lose.
+constexpr float plane_slack = 1e-6f;
+
 /// One square of texels. Coordinates and distances are in texels; heights in the units of the input.
 /// For every texel (x,y) of the node: height <= max and height <= plane + gx (x - cx) + gy (y - cy).
 struct PyramidNode {
