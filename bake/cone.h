@@ -9,6 +9,7 @@
 #include "bake/texel_grid.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace reliefbake {
 
@@ -16,12 +17,35 @@ enum class Metric { l2, l1 };            ///< how horizontal distance is measure
 enum class SurfaceModel { bilinear, texel }; ///< what must stay outside the cone: the filtered surface, or texel centres
 enum class ConeEncoding { ratio, sqrt, radius, normal };
 
+/// What a ray may do inside a cone (MATHS section 3; docs/FAMILIES.md).
+enum class ConeFamily {
+    conservative, ///< meet nothing: guarantee C
+    relaxed,      ///< pierce the relief once, and not leave it again: guarantee R with RelaxedRays::strict; refine by a bracketed search
+    hybrid,       ///< pierce it once, and be at most ConeOptions::hybrid_delta deep in the first surface met
+};
+/// The rays that a relaxed cone must not let out of the relief again.
+enum class RelaxedRays {
+    strict, ///< all
+    top,    ///< those that start on the cone's axis at height 1, which GPU Gems 3 (chapter 18) samples; others may jump a peak
+    slope,  ///< those steeper than ConeOptions::relaxed_slope
+};
+/// Where a stored cone is fetched, and so where it must hold.
+enum class ConeLookup {
+    filtered, ///< bilinear or nearest at any point: over the four cells around the texel
+    cell,     ///< texelFetch at floor(uv size - 0.5), height still filtered: over that cell alone
+};
+
 struct ConeOptions {
     SurfaceModel surface = SurfaceModel::bilinear; ///< bilinear is proven safe (--surface)
     Metric metric = Metric::l2;                    ///< (--metric)
     float ratio_max = 1;      ///< widest cone, texture widths per unit of height; +inf for no cap (--cone-max)
     float tolerance = 0.001f; ///< relative; how much narrower than exact a cone may get for speed (--tolerance)
     int threads = 0;          ///< 0: all the process may use (--threads)
+    ConeFamily family = ConeFamily::conservative; ///< (--kind)
+    RelaxedRays rays = RelaxedRays::strict;       ///< of relaxed and hybrid cones (--relaxed)
+    float relaxed_slope = 0; ///< for RelaxedRays::slope: height per texture width (--relaxed slope:S)
+    float hybrid_delta = 0;  ///< for ConeFamily::hybrid: 0..1; 0 is conservative, 1 strict relaxed (--delta)
+    ConeLookup lookup = ConeLookup::filtered; ///< (--lookup)
 };
 
 /// Cone ratios, one per texel, in (0, ratio_max]; a conservative cone under the guarantee C of MATHS.
@@ -43,6 +67,17 @@ struct ConeStatistics {
 /// bilinear or nearest filtering. Same bits for every thread count and SIMD width. `depth` is quantised from a
 /// HeightField, or has a pixel aspect that passes is_baked_pixel_aspect.
 ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics = nullptr);
+
+/// One map per sector of azimuth: sector k of n holds rays that move by (du, R dv) at an angle in [2 pi k/n, 2 pi (k+1)/n),
+/// u to the right, v down the image (MATHS section 4; 002). The family's guarantee holds in each sector, borders included.
+/// `sectors`: 4 or 8; the metric is l2, or l1 with 4.
+std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const ConeOptions& options,
+                                       ConeStatistics* statistics = nullptr);
+
+/// Cones stacked above each texel (001 sec. 3.4, method 1): level k of n has its apex at height h + (1 - h) k/n above the
+/// texel, level 0 on the surface. A ray above an apex may step as in that cone; the longest step wins.
+std::vector<ConeMap> bake_stacked_cones(const DepthMap& depth, int levels, const ConeOptions& options,
+                                        ConeStatistics* statistics = nullptr);
 
 struct EncodeOptions {
     ConeEncoding encoding = ConeEncoding::sqrt; ///< (--encoding)

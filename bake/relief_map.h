@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace reliefbake {
 
@@ -15,7 +16,12 @@ enum class ChannelLayout { rgba, named }; ///< RGBA, or EXR channels relief.nx, 
 
 /// The meaning of a map; stored as metadata, printed by `explain`. Keys of `explain --json` are these names.
 struct ReliefMapInfo {
-    std::string kind = "cone";
+    std::string kind = "cone";  ///< "cone", "acm" (sectors), "cone-stack"
+    ConeFamily family = ConeFamily::conservative;
+    RelaxedRays rays = RelaxedRays::strict; ///< relaxed, hybrid
+    double relaxed_slope = 0;   ///< RelaxedRays::slope
+    double hybrid_delta = 0;    ///< hybrid
+    ConeLookup lookup = ConeLookup::filtered;
     Metric metric = Metric::l2;
     ConeEncoding encoding = ConeEncoding::sqrt;
     BitDepth bits = BitDepth::unorm8;
@@ -26,7 +32,7 @@ struct ReliefMapInfo {
     double depth_scale = 0.1;   ///< depth of the relief in texture widths
     double filter_delta = 0;    ///< largest height error of a sampler with 8-bit weights; the march subtracts it
     double tolerance = 0;       ///< relative tolerance of the bake
-    std::string guarantee;      ///< "C" when the cones are conservative for `surface`, else empty
+    std::string guarantee;      ///< "C" when the cones are conservative for `surface`, "R" when strictly relaxed, else empty
     std::string version;        ///< of reliefbake
     std::string source_hash;    ///< XXH3-128 of the decoded source plane (16 bytes, hex)
     std::string argument_hash;  ///< XXH3-128 of the options that fix the result
@@ -39,6 +45,8 @@ struct ReliefMap {
     ReliefMapInfo info;
     TexelGrid grid;
     Image<float> normal_x, normal_y, cone, depth;
+    /// Kind "acm": 4 or 8 planes, one a sector; kind "cone-stack": one a level. `cone` is then empty. Encoded as `cone`.
+    std::vector<Image<float>> cone_planes;
 };
 
 } // namespace reliefbake
