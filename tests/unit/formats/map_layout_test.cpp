@@ -146,7 +146,7 @@ TEST_CASE("a map of cones alone asks for its relief, and takes only the one it w
     other.grid.width = 2;
     for (Image<float>* plane : {&other.normal_x, &other.normal_y, &other.cone, &other.depth}) *plane = Image<float>(2, height);
     refuses(other, "texels");
-    refuses(some_map("acm", 4, ChannelLayout::rgba, BitDepth::unorm16), "cones alone");
+    refuses(some_map("acm", 4, ChannelLayout::rgba, BitDepth::unorm16), "found acm");
 
     // A map that needs none does not ignore the flag.
     REQUIRE(write_map(hints.relief, relief_of(map)));
