@@ -36,6 +36,7 @@ std::string result_text(const ConePlan& plan) {
     text += "\ndepth-uv=" + digits(plan.depth_scale) + "\nbits=" + word_of(bits_words, plan.bits);
     text += "\nencoding=" + word_of(encoding_words, plan.given.encoding);
     text += "\nnormal-y=" + word_of(normal_y_words, plan.given.normal_y);
+    if (plan.given.mips) text += plan.given.trilinear ? "\nmips=trilinear" : "\nmips=nearest";
     return text + "\nlayout=" + word_of(layout_words, plan.layout) + "\n";
 }
 

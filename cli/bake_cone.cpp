@@ -2,6 +2,7 @@
 
 #include "bake/normal_map.h"
 #include "cli/assemble_map.h"
+#include "cli/bake_mips.h"
 #include "cli/cone_info.h"
 #include "cli/cone_report.h"
 #include "cli/cone_warnings.h"
@@ -80,6 +81,14 @@ Result<void> ConeCommand::bake(const ConePlan& plan) {
 
     Result<StoredHeight> stored = read_depth(plan, clock);
     if (!stored) return tl::unexpected(stored.error());
+    if (given.mips) {
+        const Result<MipRun> mips = bake_mips(plan, stored->source, stored->depth, clock);
+        if (!mips) return tl::unexpected(mips.error());
+        clock.stop();
+        print({plan, stored->source, stored->report, mips->info, mips->levels[0].grid, mips->warnings, clock.seconds(),
+               mips->levels});
+        return {};
+    }
     DepthMap& depth = stored->depth;
     ConeMap cones = bake_timed_cones(depth, plan.cone, clock);
     EncodedConeMap encoded = clock.time("encode", [&] {
@@ -98,7 +107,7 @@ Result<void> ConeCommand::bake(const ConePlan& plan) {
         clock.time("write", [&] { return write_map(given.output, map, plan.cone.threads); });
     if (!written) return written;
     clock.stop();
-    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds()});
+    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds(), {}});
     return {};
 }
 

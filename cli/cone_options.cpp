@@ -2,6 +2,7 @@
 
 #include "cli/choices.h"
 #include "cli/length_option.h"
+#include "cli/mip_options.h"
 #include "cli/number_options.h"
 #include "cli/range_option.h"
 #include "cli/thread_option.h"
@@ -57,7 +58,7 @@ void add_bake_options(CLI::App& app, ConeCommandOptions& o) {
 
 void add_result_options(CLI::App& app, ConeCommandOptions& o) {
     app.option_defaults()->group("Result");
-    app.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga")
+    app.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga .dds .ktx2")
         ->required()
         ->type_name("OUT");
     add_choice(app, "--bits", o.bits, bits_words, "Depth of the channels (default 16; exr: float; tga: 8)");
@@ -65,6 +66,7 @@ void add_result_options(CLI::App& app, ConeCommandOptions& o) {
     add_choice(app, "--normal-y", o.normal_y, normal_y_words, "Direction of the normals' y (default gl: up)");
     add_choice(app, "--exr-layout", o.layout, single_cone_layout_words,
                "Channels R,G,B,A or relief.nx, relief.ny, relief.cone, relief.depth (default rgba)");
+    add_mip_options(app, o);
     CLI::Option* json =
         app.add_flag("--json", o.json, "Print one result object (cli/schema/cone.schema.json)");
     app.add_flag("--quiet", o.quiet, "Print nothing unless something is wrong")->excludes(json);

@@ -1,6 +1,7 @@
 #include "cli/cone_options.h"
 
 #include "cli/argument_hash.h"
+#include "cli/mip_options.h"
 #include "cli/thread_option.h"
 #include "formats/map_file.h"
 
@@ -83,6 +84,7 @@ Result<ConePlan> plan_cone(const ConeCommandOptions& options) {
         .and_then([&] { return check_map_format(options.output, plan.bits, plan.layout); })
         .and_then([&] { return validate_cone_max(options, plan.bits); })
         .and_then([&] { return validate_depth_scale(plan.depth_scale); })
+        .and_then([&] { return validate_mips(options); })
         .and_then([&] { return validate_output_folder(options.output); })
         .and_then([&] { return resolve_threads(options.cone.threads); })
         .map([&](int threads) {
