@@ -39,6 +39,8 @@ RenderOptions frame(const TexelGrid& grid, const ViewAngle& view, int rays, cons
     result.width = std::max(8, int(std::lround(std::sqrt(rays * aspect))));
     result.height = std::max(8, int(std::lround(std::sqrt(rays / aspect))));
     result.max_steps = options.max_steps;
+    result.linear_steps = options.linear_steps;
+    result.binary_steps = options.binary_steps;
     result.endless = endless;
     result.view = {view.angle, view.azimuth, narrow_field, 0};
     return result;
