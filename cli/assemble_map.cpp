@@ -35,7 +35,8 @@ ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, EncodedConeMap
             stored_normals(std::move(normals.x), 1, info.bits),
             stored_normals(std::move(normals.y), y_sign, info.bits),
             std::move(cones.value),
-            sampled_depth(std::move(depth))};
+            sampled_depth(std::move(depth)),
+            {}};
 }
 
 } // namespace reliefbake

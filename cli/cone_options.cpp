@@ -63,7 +63,7 @@ void add_result_options(CLI::App& app, ConeCommandOptions& o) {
     add_choice(app, "--bits", o.bits, bits_words, "Depth of the channels (default 16; exr: float; tga: 8)");
     add_choice(app, "--encoding", o.encoding, encoding_words, "Encoding of the cone channel (default sqrt)");
     add_choice(app, "--normal-y", o.normal_y, normal_y_words, "Direction of the normals' y (default gl: up)");
-    add_choice(app, "--exr-layout", o.layout, layout_words,
+    add_choice(app, "--exr-layout", o.layout, single_cone_layout_words,
                "Channels R,G,B,A or relief.nx, relief.ny, relief.cone, relief.depth (default rgba)");
     CLI::Option* json =
         app.add_flag("--json", o.json, "Print one result object (cli/schema/cone.schema.json)");

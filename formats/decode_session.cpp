@@ -61,6 +61,8 @@ Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std
     DecodeSession session;
     session.name_ = path.string();
     session.format_ = *format;
+    session.file_bytes_ = file->bytes;
+    session.max_bytes_ = max_bytes;
     const std::uint64_t allowed = decode_budget(file->bytes, max_bytes);
     // Twice: a progressive JPEG keeps 16-bit coefficients, an interlaced PNG its rows, and the reader's copy.
     constexpr std::uint64_t boundless = 1ull << 60;
@@ -80,6 +82,10 @@ Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std
         return tl::unexpected(checked.error());
     if (Result<void> whole = session.look_closer(*file); !whole) return tl::unexpected(whole.error());
     return session;
+}
+
+Result<void> DecodeSession::check_planes(int planes) const {
+    return check_claims(claims_, file_bytes_, max_bytes_, planes, name_);
 }
 
 Result<void> DecodeSession::look_closer(const InputFile& file) {

@@ -21,6 +21,9 @@ class DecodeSession {
     /// caller). Holds the worker until it is destroyed. Errors: no_input, bad_data, internal.
     static Result<DecodeSession> open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes);
 
+    /// Refuses (bad_data) when the caller keeps `planes` float planes after all and the budget has no room for them.
+    Result<void> check_planes(int planes) const;
+
     const ImageClaims& claims() const { return claims_; }
     ImageFormat format() const { return format_; }
     std::optional<float> no_data() const { return no_data_; } ///< GeoTIFF GDAL_NODATA
@@ -39,6 +42,7 @@ class DecodeSession {
     Result<void> look_closer(const InputFile& file);
 
     std::string name_;
+    std::uint64_t file_bytes_ = 0, max_bytes_ = 0;
     ImageFormat format_{};
     ImageClaims claims_;
     std::optional<float> no_data_;

@@ -1,6 +1,7 @@
 #include "formats/map_format.h"
 
 #include "formats/map_file.h"
+#include "formats/map_layout.h"
 
 #include <algorithm>
 #include <cctype>
@@ -45,6 +46,13 @@ Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, 
     if (!can_hold(*format, bits))
         return fail(ErrorCode::usage, path.string() + ": this format holds " + bits_held(*format) + "; change --bits or the extension");
     return {};
+}
+
+Result<void> check_map_format(const std::filesystem::path& path, const ReliefMapInfo& info) {
+    if (Result<void> checked = check_map_format(path, info.bits, info.layout); !checked) return checked;
+    const Result<void> layout = check_layout(info);
+    if (layout) return {};
+    return fail(layout.error().code, path.string() + ": " + layout.error().message);
 }
 
 } // namespace reliefbake
