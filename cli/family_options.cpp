@@ -49,6 +49,8 @@ Result<void> resolve_family(const FamilyOptions& given, ConeOptions& cone) {
         return fail(ErrorCode::usage, given.delta ? "--delta: needs --kind hybrid" : "--kind hybrid: needs --delta, 0 to 1");
     if (given.lookup == ConeLookup::cell && cone.surface == SurfaceModel::texel)
         return fail(ErrorCode::usage, "--lookup cell: needs --surface bilinear; texel cones hold at texel centres alone");
+    if (given.family != ConeFamily::conservative && cone.surface == SurfaceModel::texel)
+        return fail(ErrorCode::usage, "--surface texel: is for conservative cones; a ray leaves the surface between texel centres");
     cone.family = given.family;
     cone.rays = given.rays.value_or(RelaxedRays::strict);
     cone.relaxed_slope = given.slope;

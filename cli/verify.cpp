@@ -35,6 +35,8 @@ Result<void> write_pictures(const std::string& folder, const VerifyReport& repor
     return {};
 }
 
+constexpr int enough_halvings = 24; // of the whole depth: 2^-24
+
 } // namespace
 
 void VerifyCommand::add_to(CLI::App& app) {
@@ -89,6 +91,10 @@ Result<void> VerifyCommand::run() {
     options.max_steps = technique->max_steps;
     options.linear_steps = technique->linear_steps;
     options.binary_steps = technique->binary_steps;
+    // What a map promises shows when its march may end and its last step is narrowed down; a shader's counts are for --steps.
+    const bool refines = technique->technique == Technique::relaxed || technique->technique == Technique::relaxed_secant;
+    if (refines && !options_.technique.steps) options.max_steps = options_.verify.max_steps;
+    if (refines && !options_.technique.binary_steps) options.binary_steps = enough_halvings;
     DepthMap source;
     if (!options_.source.empty()) {
         Result<DepthMap> read = read_source(*map);

@@ -78,7 +78,7 @@ ReliefMap as_map(const Candidate& candidate, const DepthMap& depth, float ratio_
     ConeMap capped = cones;
     capped.options.ratio_max = ratio_max;
     const EncodedConeMap encoded = encode_cones(capped, floats, {info.encoding, info.bits});
-    return assemble_map(info, floats, encoded, bake_normals(floats, depth_scale));
+    return assemble_map(info, floats, {encoded}, bake_normals(floats, depth_scale));
 }
 
 } // namespace
