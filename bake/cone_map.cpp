@@ -3,6 +3,8 @@
 #include "bake/cone.h"
 
 #include "bake/cone_search.h"
+#include "bake/exits.h"
+#include "bake/sectors.h"
 #include "bake/max_pyramid.h"
 #include "bake/parallel.h"
 #include "bake/search_surface.h"
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace reliefbake {
 namespace {
@@ -40,34 +43,129 @@ class Stopwatch {
 /// Levels per texel to height per texture width.
 double slope_unit(const DepthMap& depth) { return double(depth.grid.width) / max_code(depth.bits); }
 
-SearchSurface make_search_surface(const DepthMap& depth, const ConeOptions& options) {
-    SearchSurface surface{depth.grid, options.metric, options.surface, Image<float>(depth.grid.width, depth.grid.height), 0.0f};
-    parallel_for(depth.grid.height, options.threads, [&](int y) {
-        const float* level = depth.level.row(y);
-        std::transform(level, level + depth.grid.width, surface.height.row(y), std::negate<>());
-    });
-    const double cap = std::min(double(options.ratio_max), widest_ratio);
-    surface.slope_floor = float(1 / (cap * slope_unit(depth) * (1 + double(options.tolerance)) * rounding_margin));
-    return surface;
-}
-
-float ratio_of(float slope, double unit, double ratio_max) {
-    return float(std::min(ratio_max, 1 / (double(slope) * unit * rounding_margin)));
-}
-
-/// Without a cap, a texel that has nothing above its whole footprint gets an unbounded cone.
-void open_topmost_cones(const SearchSurface& surface, Image<float>& ratio) {
-    const TexelGrid& g = surface.grid;
-    const float top = *std::max_element(surface.height.begin(), surface.height.end());
-    const int reach = surface.has_footprint() ? 1 : 0;
-    for (int y = 0; y < g.height; ++y)
-        for (int x = 0; x < g.width; ++x) {
-            bool topmost = true;
-            for (int j = -reach; j <= reach; ++j)
-                for (int i = -reach; i <= reach; ++i)
-                    topmost &= surface.height(g.address_x(x + i), g.address_y(y + j)) == top;
-            if (topmost) ratio(x, y) = std::numeric_limits<float>::infinity();
+/// A bake in progress: slopes of one cone map, raised by one search after another.
+class ConeBake {
+  public:
+    ConeBake(const DepthMap& depth, const ConeOptions& options, ConeStatistics& statistics)
+        : depth_(depth), options_(options), statistics_(statistics) {
+        surface_.grid = depth.grid, surface_.metric = options.metric, surface_.model = options.surface;
+        surface_.height = Image<float>(depth.grid.width, depth.grid.height);
+        parallel_for(depth.grid.height, options.threads, [&](int y) {
+            const float* level = depth.level.row(y);
+            std::transform(level, level + depth.grid.width, surface_.height.row(y), std::negate<>());
+        });
+        const double cap = std::min(double(options.ratio_max), widest_ratio);
+        surface_.slope_floor = float(1 / (cap * slope_unit(depth) * (1 + double(options.tolerance)) * rounding_margin));
+        if (options.surface == SurfaceModel::bilinear) {
+            const int low = options.lookup == ConeLookup::cell ? 0 : -1;
+            surface_.footprint = {low, 1, low, 1};
         }
+        statistics_.seconds_pyramid += watch_.lap();
+    }
+
+    const SearchSurface& surface() const { return surface_; }
+
+    /// Raises `slopes` by all points of the surface, seen from cones that stand on it, or on `apex` when one is given.
+    void search_all(Image<float> apex, Image<float>& slopes) {
+        surface_.apex = std::move(apex);
+        if (pyramid_.level_count() == 0) pyramid_ = build_max_pyramid(surface_.height, options_.threads);
+        statistics_.seconds_pyramid += watch_.lap();
+        raise(near_slopes(surface_, options_.threads), slopes);
+        statistics_.seconds_near += watch_.lap();
+        statistics_.node_tests +=
+            search_far_slopes(surface_, {surface_.height, {}}, pyramid_, options_.tolerance, options_.threads, slopes);
+        statistics_.seconds_search += watch_.lap();
+        surface_.apex = {};
+    }
+
+    /// Raises `slopes` by what lies in each of some sectors of directions, or by its exits alone. The near surface of all comes
+    /// first: it spares the far searches most of their work.
+    void search_sectors(const std::vector<Sector>& sectors, const std::optional<ExitRule>& exits, Image<float>& slopes) {
+        std::vector<SearchSurface> turned;
+        for (const Sector& sector : sectors) {
+            turned.push_back(turned_surface(sector, exits));
+            raise(flipped(near_slopes(turned.back(), options_.threads), sector.flip), slopes);
+        }
+        statistics_.seconds_near += watch_.lap();
+        for (std::size_t k = 0; k < sectors.size(); ++k) {
+            const Image<float>& height = turned[k].height;
+            const ExitTexels seen = exits ? exit_texels(turned[k], options_.threads) : ExitTexels{};
+            const SearchTarget target{exits ? seen.height : height, seen.from};
+            const MaxPyramid pyramid = build_max_pyramid(target.height, options_.threads);
+            statistics_.seconds_pyramid += watch_.lap();
+            slopes = flipped(slopes, sectors[k].flip);
+            statistics_.node_tests += search_far_slopes(turned[k], target, pyramid, options_.tolerance, options_.threads, slopes);
+            slopes = flipped(slopes, sectors[k].flip);
+            statistics_.seconds_search += watch_.lap();
+        }
+    }
+
+    /// The slopes that a map starts from: those of the widest cone.
+    Image<float> widest() const { return Image<float>(depth_.grid.width, depth_.grid.height, surface_.slope_floor); }
+
+    ConeMap finish(Image<float> slopes) {
+        const double unit = slope_unit(depth_) * (1 + double(options_.tolerance)) * rounding_margin;
+        ConeMap cones{depth_.grid, options_, std::move(slopes)};
+        parallel_for(depth_.grid.height, options_.threads, [&](int y) {
+            for (float* value = cones.ratio.row(y); value != cones.ratio.row(y) + depth_.grid.width; ++value)
+                *value = float(std::min(double(options_.ratio_max), 1 / (double(*value) * unit)));
+        });
+        if (std::isinf(options_.ratio_max)) open_topmost_cones(cones.ratio);
+        statistics_.seconds_search += watch_.lap();
+        return cones;
+    }
+
+  private:
+    SearchSurface turned_surface(const Sector& sector, const std::optional<ExitRule>& exits) const {
+        SearchSurface turned = surface_;
+        turned.height = flipped(surface_.height, sector.flip);
+        turned.wedge = sector.wedge;
+        turned.exits = exits;
+        turned.footprint = flipped(surface_.footprint, sector.flip);
+        return turned;
+    }
+
+    void raise(const Image<float>& by, Image<float>& slopes) const {
+        parallel_for(by.height(), options_.threads, [&](int y) {
+            for (int x = 0; x < by.width(); ++x) slopes(x, y) = std::max(slopes(x, y), by(x, y));
+        });
+    }
+
+    /// Without a cap, a texel that has nothing above its whole footprint gets an unbounded cone.
+    void open_topmost_cones(Image<float>& ratio) const {
+        const TexelGrid& g = surface_.grid;
+        const float top = *std::max_element(surface_.height.begin(), surface_.height.end());
+        const int reach = surface_.has_footprint() ? 1 : 0;
+        for (int y = 0; y < g.height; ++y)
+            for (int x = 0; x < g.width; ++x) {
+                bool topmost = true;
+                for (int j = -reach; j <= reach; ++j)
+                    for (int i = -reach; i <= reach; ++i)
+                        topmost &= surface_.height(g.address_x(x + i), g.address_y(y + j)) == top;
+                if (topmost) ratio(x, y) = std::numeric_limits<float>::infinity();
+            }
+    }
+
+    const DepthMap& depth_;
+    const ConeOptions& options_;
+    ConeStatistics& statistics_;
+    Stopwatch watch_;
+    SearchSurface surface_{};
+    MaxPyramid pyramid_; ///< of all texels
+};
+
+ExitRule exit_rule(const DepthMap& depth, const ConeOptions& options) {
+    ExitRule rule;
+    if (options.rays == RelaxedRays::slope) rule.least_fall = float(double(options.relaxed_slope) / slope_unit(depth) * (1 - 0x1p-20));
+    rule.from_top = options.rays == RelaxedRays::top;
+    return rule;
+}
+
+/// Apexes that stand `lift` of height above the surface; rounded down, so that cones only get narrower.
+Image<float> lifted(const SearchSurface& surface, float lift) {
+    Image<float> apex = surface.height;
+    for (float& z : apex) z = std::max(std::nextafter(z + lift, -std::numeric_limits<float>::infinity()), z);
+    return apex;
 }
 
 } // namespace
@@ -76,26 +174,50 @@ ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatis
     assert(options.ratio_max > 0 && options.tolerance >= 0);
     assert(is_baked_pixel_aspect(depth.grid.pixel_aspect));
     ConeStatistics local;
-    ConeStatistics& stats = statistics ? *statistics : local;
-    Stopwatch watch;
+    ConeBake bake(depth, options, statistics ? *statistics : local);
+    Image<float> slopes = bake.widest();
+    if (options.family != ConeFamily::conservative)
+        bake.search_sectors(sectors_of(4), exit_rule(depth, options), slopes);
+    if (options.family == ConeFamily::conservative) bake.search_all({}, slopes);
+    if (options.family == ConeFamily::hybrid)
+        bake.search_all(lifted(bake.surface(), options.hybrid_delta * float(max_code(depth.bits))), slopes);
+    return bake.finish(std::move(slopes));
+}
 
-    const SearchSurface surface = make_search_surface(depth, options);
-    const MaxPyramid pyramid = build_max_pyramid(surface.height, options.threads);
-    stats.seconds_pyramid = watch.lap();
+std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const ConeOptions& options, ConeStatistics* statistics) {
+    assert(sectors == 4 || (sectors == 8 && options.metric == Metric::l2));
+    assert(options.family != ConeFamily::hybrid);
+    ConeStatistics local;
+    ConeBake bake(depth, options, statistics ? *statistics : local);
+    std::optional<ExitRule> exits;
+    if (options.family == ConeFamily::relaxed) exits = exit_rule(depth, options);
+    std::vector<ConeMap> maps;
+    for (const Sector& sector : sectors_of(sectors)) {
+        Image<float> slopes = bake.widest();
+        bake.search_sectors({sector}, exits, slopes);
+        maps.push_back(bake.finish(std::move(slopes)));
+    }
+    return maps;
+}
 
-    Image<float> slopes = near_slopes(surface, options.threads);
-    stats.seconds_near = watch.lap();
-
-    stats.node_tests = search_far_slopes(surface, pyramid, options.tolerance, options.threads, slopes);
-
-    ConeMap cones{depth.grid, options, std::move(slopes)};
-    parallel_for(depth.grid.height, options.threads, [&](int y) {
-        for (float* value = cones.ratio.row(y); value != cones.ratio.row(y) + depth.grid.width; ++value)
-            *value = ratio_of(*value, slope_unit(depth), options.ratio_max);
-    });
-    stats.seconds_search = watch.lap();
-    if (std::isinf(options.ratio_max)) open_topmost_cones(surface, cones.ratio);
-    return cones;
+std::vector<ConeMap> bake_stacked_cones(const DepthMap& depth, int levels, const ConeOptions& options, ConeStatistics* statistics) {
+    assert(levels >= 1 && options.family == ConeFamily::conservative);
+    ConeStatistics local;
+    ConeBake bake(depth, options, statistics ? *statistics : local);
+    std::vector<ConeMap> maps;
+    for (int level = 0; level < levels; ++level) {
+        // Heights are negated levels, the top is 0: an apex at h + (1 - h) k/n is h (1 - k/n) here.
+        Image<float> apex;
+        if (level > 0) {
+            apex = bake.surface().height;
+            const float share = std::nextafter(1 - float(level) / float(levels), 2.0f);
+            for (float& z : apex) z = std::max(std::nextafter(z * share, -std::numeric_limits<float>::infinity()), z);
+        }
+        Image<float> slopes = bake.widest();
+        bake.search_all(std::move(apex), slopes);
+        maps.push_back(bake.finish(std::move(slopes)));
+    }
+    return maps;
 }
 
 } // namespace reliefbake

@@ -23,15 +23,12 @@ struct NodeRef {
     float distance_sq;       ///< least squared distance between tile and node, not deflated
 };
 
-struct Witness {
-    float x, y, height;
-};
 constexpr std::size_t witness_count = 16;
 
 class TileSearch {
   public:
-    TileSearch(const SearchSurface& surface, const MaxPyramid& pyramid, const SearchSpace& space)
-        : surface_(surface), pyramid_(pyramid), space_(space), kernels_(tile_kernels(space.l1)) {}
+    TileSearch(const SearchSurface& surface, const SearchTarget& target, const MaxPyramid& pyramid, const SearchSpace& space)
+        : surface_(surface), target_(target), pyramid_(pyramid), space_(space), kernels_(tile_kernels(space)) {}
 
     /// Leaves in tile.found the largest far slope of each texel that exceeds its need; 0 where none does.
     void run(int tile_x, int tile_y, const Image<float>& needs) {
@@ -68,7 +65,7 @@ class TileSearch {
                 // Lanes beyond the map repeat its last texel and never need anything.
                 const int x = std::min(x0 + i, w - 1), y = std::min(y0 + j, h - 1), at = j * tile_size + i;
                 const bool inside = x0 + i < w && y0 + j < h;
-                tile_.height[at] = surface_.height(x, y);
+                tile_.height[at] = surface_.apexes()(x, y);
                 tile_.need[at] = inside ? needs(x, y) : std::numeric_limits<float>::max();
                 tile_.found[at] = 0;
                 tile_.lowest = std::min(tile_.lowest, tile_.height[at]);
@@ -108,20 +105,26 @@ class TileSearch {
         threshold_ = least_need_ * least_need_;
     }
 
-    /// From the tile's centre to a node's, for the nearest image.
-    static float towards(const MaxPyramid::Span& node, float centre, float period) {
+    /// From the tile's centre to a node's, for the nearest image; directed, for the first not wholly behind the tile.
+    float towards(const MaxPyramid::Span& node, float centre, float half, float period) const {
         const float e = node.centre - centre;
+        if (space_.directed) return e + node.half + half < 0 ? e + period : e;
         return e > 0.5f * period ? e - period : e < -0.5f * period ? e + period : e;
     }
 
     /// Queues those nodes of a quad of level k that may hold a slope above the tile's least need.
     void push_quad(int k, int i, int j) {
-        QuadPlace place;
+        QuadPlace place{};
         for (int c = 0; c < 2; ++c) {
             const MaxPyramid::Span x = MaxPyramid::span(k, 2 * i + c, surface_.grid.width);
             const MaxPyramid::Span y = MaxPyramid::span(k, 2 * j + c, surface_.grid.height);
-            place.ex[c] = towards(x, tile_.centre_x, space_.period_x), place.half_x[c] = x.half;
-            place.ey[c] = towards(y, tile_.centre_y, space_.period_y) * space_.aspect, place.half_y[c] = y.half * space_.aspect;
+            place.ex[c] = towards(x, tile_.centre_x, tile_.half_x, space_.period_x), place.half_x[c] = x.half;
+            place.ey[c] = towards(y, tile_.centre_y, tile_.half_y, space_.period_y) * space_.aspect, place.half_y[c] = y.half * space_.aspect;
+        }
+        for (int c = 0; space_.wedged && c < 2; ++c) {
+            const MaxPyramid::Span x = MaxPyramid::span(k, 2 * i + c, surface_.grid.width);
+            const MaxPyramid::Span y = MaxPyramid::span(k, 2 * j + c, surface_.grid.height);
+            place.images_x[c] = space_.images_x(x.centre + x.half), place.images_y[c] = space_.images_y(y.centre + y.half);
         }
         QuadBounds bounds;
         std::uint32_t bits = kernels_.quad_needs(space_, tile_, pyramid_.quad(k, i, j), place, least_need_, bounds);
@@ -139,15 +142,15 @@ class TileSearch {
     /// What limited the tile to the left most likely limits this one too. Results do not depend on it, work does.
     void compare_witnesses() {
         bool raised = false;
-        for (const Witness& w : witnesses_) raised |= kernels_.compare_texel(space_, tile_, w.x, w.y, w.height);
+        for (const Opponent& witness : witnesses_) raised |= kernels_.compare_texel(space_, tile_, witness);
         if (raised) refresh_threshold();
     }
 
-    void remember(float x, float y, float height) {
+    void remember(const Opponent& texel) {
         if (witnesses_.size() < witness_count)
-            witnesses_.push_back({x, y, height});
+            witnesses_.push_back(texel);
         else
-            witnesses_[next_witness_] = {x, y, height};
+            witnesses_[next_witness_] = texel;
         next_witness_ = (next_witness_ + 1) % witness_count;
     }
 
@@ -157,19 +160,21 @@ class TileSearch {
         const int width = std::min(side, surface_.grid.width - x0), height = std::min(side, surface_.grid.height - y0);
         LeafTexels leaf{float(x0), float(y0), {}};
         std::fill(std::begin(leaf.height), std::end(leaf.height), -std::numeric_limits<float>::infinity());
-        for (int y = 0; y < height; ++y) std::copy_n(surface_.height.row(y0 + y) + x0, width, leaf.height + y * side);
+        for (int y = 0; y < height; ++y) std::copy_n(target_.height.row(y0 + y) + x0, width, leaf.height + y * side);
         bool raised = false;
         for (std::uint32_t bits = kernels_.leaf_candidates(space_, tile_, leaf, threshold_); bits != 0; bits &= bits - 1) {
             const int at = std::countr_zero(bits);
-            const float x = float(x0 + at % side), y = float(y0 + at / side);
-            if (!kernels_.compare_texel(space_, tile_, x, y, leaf.height[at])) continue;
-            remember(x, y, leaf.height[at]);
+            const int x = x0 + at % side, y = y0 + at / side;
+            const Opponent texel{float(x), float(y), leaf.height[at], target_.from.empty() ? 0.0f : target_.from(x, y)};
+            if (!kernels_.compare_texel(space_, tile_, texel)) continue;
+            remember(texel);
             raised = true;
         }
         if (raised) refresh_threshold();
     }
 
     const SearchSurface& surface_;
+    const SearchTarget& target_;
     const MaxPyramid& pyramid_;
     const SearchSpace& space_;
     const TileKernels kernels_;
@@ -177,7 +182,7 @@ class TileSearch {
     float least_need_ = 0; ///< the least slope that still matters to the tile
     float threshold_ = 0;  ///< its square
     std::vector<NodeRef> stack_;
-    std::vector<Witness> witnesses_; ///< the last texels that raised a need
+    std::vector<Opponent> witnesses_; ///< the last texels that raised a need
     std::size_t next_witness_ = 0;
     std::uint64_t visits_ = 0;
 };
@@ -194,48 +199,56 @@ SearchSpace make_space(const SearchSurface& surface, float tolerance) {
     space.near_distance_sq = nearest * nearest;
     space.tolerance_factor = 1 + tolerance;
     space.l1 = surface.metric == Metric::l1;
+    space.directed = surface.wedge.has_value();
+    const Wedge wedge = surface.wedge.value_or(Wedge());
+    space.t0 = wedge.t0, space.t1 = wedge.t1;
+    space.wedged = wedge.t0 > 0 || std::isfinite(wedge.t1);
+    // Beyond a clamped border cones stand one texel farther out than the texel they are stored in.
+    const bool clamped = grid.wrap_x == Wrap::clamp || grid.wrap_y == Wrap::clamp;
+    space.step = !surface.has_footprint() ? 0 : clamped ? 2 : 1;
+    space.last_x = float(grid.width - 1), space.last_y = float(grid.height - 1);
+    space.widest_step = float(surface.widest_step());
     return space;
 }
 
-/// Smallest of the 3x3 values around a texel (its own outside footprints): what a far slope there must exceed before
-/// it can raise any cone.
-Image<float> footprint_minimum(const SearchSurface& surface, const Image<float>& slopes, int threads) {
-    Image<float> out(slopes.width(), slopes.height());
-    const TexelGrid& g = surface.grid;
+/// Each texel's value joined with those at the offsets of `f`, by `join` (a minimum or a maximum).
+template <class Join>
+Image<float> over_offsets(const TexelGrid& g, const Image<float>& values, Footprint f, int threads, Join join) {
+    Image<float> out(g.width, g.height);
     parallel_for(g.height, threads, [&](int y) {
-        const float* rows[3] = {slopes.row(g.address_y(y - 1)), slopes.row(y), slopes.row(g.address_y(y + 1))};
-        for (int x = 0; x < g.width; ++x) {
-            const int xs[3] = {g.address_x(x - 1), x, g.address_x(x + 1)};
-            float least = slopes(x, y);
-            for (const float* row : rows)
-                for (int i : xs) least = std::min(least, row[i]);
-            out(x, y) = least;
+        std::vector<float> row(std::size_t(g.width) + 2);
+        float* best = out.row(y);
+        std::copy_n(values.row(y), g.width, best);
+        for (int j = f.y_low; j <= f.y_high; ++j) {
+            const float* source = values.row(g.address_y(y + j));
+            std::copy_n(source, g.width, row.data() + 1);
+            row.front() = source[g.address_x(-1)], row.back() = source[g.address_x(g.width)];
+            for (int i = f.x_low; i <= f.x_high; ++i)
+                for (int x = 0; x < g.width; ++x) best[x] = join(best[x], row[std::size_t(x + 1 + i)]);
         }
     });
     return out;
 }
 
-/// slopes = factor * max(slopes, largest of the footprint's far slopes).
-void raise_by_footprint(const SearchSurface& surface, const Image<float>& found, float factor, int threads,
-                        Image<float>& slopes) {
-    const TexelGrid& g = surface.grid;
-    parallel_for(g.height, threads, [&](int y) {
-        const float* rows[3] = {found.row(g.address_y(y - 1)), found.row(y), found.row(g.address_y(y + 1))};
-        for (int x = 0; x < g.width; ++x) {
-            const int xs[3] = {g.address_x(x - 1), x, g.address_x(x + 1)};
-            float most = found(x, y);
-            if (surface.has_footprint())
-                for (const float* row : rows)
-                    for (int i : xs) most = std::max(most, row[i]);
-            slopes(x, y) = factor * std::max(slopes(x, y), most);
-        }
+/// Smallest value of the texels whose cones a far slope at this texel would narrow: what it must exceed to matter.
+Image<float> footprint_minimum(const SearchSurface& surface, const Image<float>& slopes, int threads) {
+    const Footprint f = surface.footprint, narrowed{-f.x_high, -f.x_low, -f.y_high, -f.y_low};
+    return over_offsets(surface.grid, slopes, narrowed, threads, [](float a, float b) { return std::min(a, b); });
+}
+
+/// slopes = max(slopes, largest of the footprint's far slopes). (Beyond a clamped border lies the border's own texel.)
+void raise_by_footprint(const SearchSurface& surface, const Image<float>& found, int threads, Image<float>& slopes) {
+    const Image<float> most =
+        over_offsets(surface.grid, found, surface.footprint, threads, [](float a, float b) { return std::max(a, b); });
+    parallel_for(surface.grid.height, threads, [&](int y) {
+        for (int x = 0; x < surface.grid.width; ++x) slopes(x, y) = std::max(slopes(x, y), most(x, y));
     });
 }
 
 } // namespace
 
-std::uint64_t search_far_slopes(const SearchSurface& surface, const MaxPyramid& pyramid, float tolerance, int threads,
-                                Image<float>& slopes) {
+std::uint64_t search_far_slopes(const SearchSurface& surface, const SearchTarget& target, const MaxPyramid& pyramid, float tolerance,
+                                int threads, Image<float>& slopes) {
     const SearchSpace space = make_space(surface, tolerance);
     const int width = surface.grid.width, height = surface.grid.height;
     const Image<float> needs = surface.has_footprint() ? footprint_minimum(surface, slopes, threads) : slopes;
@@ -243,7 +256,7 @@ std::uint64_t search_far_slopes(const SearchSurface& surface, const MaxPyramid& 
     std::atomic<std::uint64_t> visits = 0;
     const int tiles_x = (width + tile_size - 1) / tile_size, tiles_y = (height + tile_size - 1) / tile_size;
     parallel_for(tiles_y, threads, [&](int ty) {
-        TileSearch search(surface, pyramid, space);
+        TileSearch search(surface, target, pyramid, space);
         for (int tx = 0; tx < tiles_x; ++tx) {
             search.run(tx, ty, needs);
             for (int j = 0; j < tile_size && ty * tile_size + j < height; ++j)
@@ -252,8 +265,7 @@ std::uint64_t search_far_slopes(const SearchSurface& surface, const MaxPyramid& 
         }
         visits += search.visits();
     });
-    // What was pruned may exceed what was needed or found by the tolerance.
-    raise_by_footprint(surface, found, space.tolerance_factor, threads, slopes);
+    raise_by_footprint(surface, found, threads, slopes);
     return visits;
 }
 

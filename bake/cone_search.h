@@ -8,10 +8,16 @@
 
 namespace reliefbake {
 
-/// Raises `slopes` (as near_slopes made them) to what the far surface asks for. On return every cone is conservative;
-/// a slope is at most (1 + tolerance) times larger than the exact far constraint asks. Returns the number of pyramid
-/// nodes tested against a tile.
-std::uint64_t search_far_slopes(const SearchSurface& surface, const MaxPyramid& pyramid, float tolerance, int threads,
-                                Image<float>& slopes);
+/// The texels that a search looks at: the surface's own, or those that exits touch (bake/exits.h).
+struct SearchTarget {
+    const Image<float>& height;
+    const Image<float>& from; ///< distance from which each counts; empty: always
+};
+
+/// Raises `slopes` (as near_slopes made them) to what the far surface asks for. On return every cone whose slope is multiplied
+/// by 1 + tolerance keeps its guarantee. `pyramid` is that of target.height. Returns the number of pyramid nodes tested
+/// against a tile.
+std::uint64_t search_far_slopes(const SearchSurface& surface, const SearchTarget& target, const MaxPyramid& pyramid, float tolerance,
+                                int threads, Image<float>& slopes);
 
 } // namespace reliefbake

@@ -17,6 +17,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = HWY_CAPPED(float, 8);
 using V = hn::Vec<D>;
 
+/// Which displacements count: all, those of one quadrant, those of a wedge in it.
+enum class Mode { all, quadrant, wedge };
+
 /// The nearest image of a displacement along an axis of this period (+inf: there is one image).
 HWY_INLINE V NearestImage(V e, float period) {
     const D d;
@@ -26,6 +29,20 @@ HWY_INLINE V NearestImage(V e, float period) {
 }
 HWY_INLINE float NearestImage(float e, float period) {
     return e > 0.5f * period ? e - period : e < -0.5f * period ? e + period : e;
+}
+
+/// Displacement from a texel to a box centre, for the image of the box that counts: the nearest; or, directed, the first that
+/// does not lie wholly behind the texel.
+template <Mode kMode>
+HWY_INLINE V Towards(V e, float half, float period) {
+    if (kMode == Mode::all) return NearestImage(e, period);
+    const D d;
+    return hn::IfThenElse(hn::Lt(e, hn::Set(d, -half)), hn::Add(e, hn::Set(d, period)), e);
+}
+template <Mode kMode>
+HWY_INLINE float Towards(float e, float half, float period) {
+    if (kMode == Mode::all) return NearestImage(e, period);
+    return e < -half ? e + period : e;
 }
 
 template <bool kL1>
@@ -57,14 +74,56 @@ HWY_INLINE auto Exceeds(V rise, V slope, V reach) {
     return hn::Gt(hn::Mul(rise, rise), hn::Mul(hn::Mul(slope, slope), reach));
 }
 
+/// Least distances along x and y from a texel to a box: (ex, ey) to its centre, y scaled by the aspect. In a wedge, a box that
+/// lies outside counts from its next image, and from where that is inside.
+template <Mode kMode, class DX, class VX>
+HWY_INLINE void WedgeGaps(DX d, const SearchSpace& space, VX ex, VX ey, VX half_x, VX half_y, VX images_x, VX images_y, VX& dx,
+                          VX& dy) {
+    const auto zero = hn::Zero(d), step_x = hn::Set(d, space.step), step_y = hn::Set(d, space.step * space.aspect);
+    const auto low_x = hn::Sub(ex, half_x), low_y = hn::Sub(ey, half_y);
+    dx = hn::Max(low_x, zero), dy = hn::Max(low_y, zero);
+    if (kMode != Mode::wedge) return;
+    const float slack = 1e-3f; // texels, more than rounding can misplace a box
+    if (space.t1 < 1e30f) {
+        const auto needed = hn::Sub(hn::Sub(hn::Mul(hn::Sub(dy, step_y), hn::Set(d, 1 / space.t1)), step_x), hn::Set(d, slack));
+        const auto outside = hn::Gt(needed, hn::Add(ex, half_x));
+        dx = hn::IfThenElse(outside, hn::Max(hn::Add(low_x, images_x), needed), dx);
+    }
+    if (space.t0 > 0) {
+        const auto needed = hn::Sub(hn::Sub(hn::Mul(hn::Sub(dx, step_x), hn::Set(d, space.t0)), step_y), hn::Set(d, slack));
+        const auto outside = hn::Gt(needed, hn::Add(ey, half_y));
+        dy = hn::IfThenElse(outside, hn::Max(hn::Add(low_y, images_y), needed), dy);
+    }
+}
+
+/// The displacement (dx, dy) to a texel's first image in the wedge; y scaled by the aspect.
+HWY_INLINE void WedgeImage(const SearchSpace& space, const Opponent& texel, V& dx, V& dy) {
+    const D d;
+    const float slack = 1e-3f;
+    const V one = hn::Set(d, 1.0f);
+    const auto moved = [&](V at, V needed, float apart) {
+        if (apart == 0) return hn::Max(at, needed);
+        const V period = hn::Set(d, apart);
+        const V images = hn::Max(hn::Ceil(hn::Div(hn::Sub(needed, at), period)), one);
+        return hn::IfThenElse(hn::Gt(needed, at), hn::Add(at, hn::Mul(images, period)), at);
+    };
+    const V step_x = hn::Set(d, space.step + slack), step_y = hn::Set(d, (space.step + slack) * space.aspect);
+    if (space.t1 < 1e30f)
+        dx = moved(dx, hn::Sub(hn::Mul(hn::Sub(dy, step_y), hn::Set(d, 1 / space.t1)), step_x), space.images_x(texel.x));
+    if (space.t0 > 0)
+        dy = moved(dy, hn::Sub(hn::Mul(hn::Sub(dx, step_x), hn::Set(d, space.t0)), step_y),
+                   space.images_y(texel.y) * space.aspect);
+}
+
 /// Whether a box of this height may matter to any texel of a strip's columns: the first, cheap test.
 /// `dx`: distance along x to the box, whose centre and half extent along y are given.
-template <bool kL1>
+template <bool kL1, Mode kMode>
 HWY_INLINE bool StripNeeds(const SearchSpace& space, const Tile& tile, int strip, int i, const PyramidNode& node, V dx,
                            V factor) {
     const D d;
-    const float middle = tile.y[strip * strip_rows] + 0.5f * (strip_rows - 1);
-    const float gap = std::fabs(NearestImage(node.cy - middle, space.period_y)) - node.half_y - 0.5f * (strip_rows - 1);
+    const float half = node.half_y + 0.5f * (strip_rows - 1);
+    const float ey = Towards<kMode>(node.cy - (tile.y[strip * strip_rows] + 0.5f * (strip_rows - 1)), half, space.period_y);
+    const float gap = (kMode != Mode::all ? ey : std::fabs(ey)) - half;
     const V reach = Reach<kL1>(space, dx, hn::Set(d, std::max(gap, 0.0f) * space.aspect));
     const V lowest = hn::Load(d, tile.strip_lowest + strip * tile_size + i);
     const V need = hn::Mul(hn::Load(d, tile.strip_need + strip * tile_size + i), factor);
@@ -76,7 +135,7 @@ HWY_INLINE bool StripNeeds(const SearchSpace& space, const Tile& tile, int strip
 /// linear, and need |v| >= need u.v for any u no longer than 1 (u: from centre to centre), so that
 ///     need |v| - (rise from p to q) >= need u.e - (plane - floor) - |need u - g_node|.half_node - |need u - g_tile|.half_tile
 /// over all texels p of the tile and q = p + v of the node.
-template <bool kL1>
+template <bool kL1, Mode kMode>
 std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const PyramidQuad& quad, const QuadPlace& place,
                         float least_need, QuadBounds& bounds) {
     const HWY_CAPPED(float, 4) d;
@@ -93,8 +152,11 @@ std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const Pyrami
         const auto row = [&](const float* v) { return hn::IfThenElse(low, hn::Set(d, v[1]), hn::Set(d, v[0])); };
         const auto ex = column(place.ex), ey = row(place.ey), half_x = column(place.half_x), half_y = row(place.half_y);
         // The maximum.
-        const auto gap_x = hn::Max(hn::Sub(hn::Abs(ex), hn::Add(half_x, tile_x)), zero);
-        const auto gap_y = hn::Max(hn::Sub(hn::Abs(ey), hn::Add(half_y, tile_y)), zero);
+        const auto both_x = hn::Add(half_x, tile_x), both_y = hn::Add(half_y, tile_y);
+        auto gap_x = hn::Max(hn::Sub(hn::Abs(ex), both_x), zero), gap_y = hn::Max(hn::Sub(hn::Abs(ey), both_y), zero);
+        if (kMode != Mode::all)
+            WedgeGaps<kMode>(d, space, ex, ey, both_x, both_y, column(place.images_x), hn::Mul(row(place.images_y), hn::Set(d, space.aspect)),
+                      gap_x, gap_y);
         const auto sum = hn::Add(gap_x, gap_y);
         const auto gap_sq = kL1 ? hn::Mul(sum, sum) : hn::Add(hn::Mul(gap_x, gap_x), hn::Mul(gap_y, gap_y));
         const auto plain = hn::Max(gap_sq, hn::Set(d, space.near_distance_sq));
@@ -116,9 +178,11 @@ std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const Pyrami
         const auto node_spread = spread(hn::Load(d, quad.gx + c), hn::Mul(hn::Load(d, quad.gy + c), inverse_aspect), half_x, half_y);
         const auto tile_spread = spread(hn::Set(d, tile.gx), hn::Mul(hn::Set(d, tile.gy), inverse_aspect), tile_x, tile_y);
         const auto spare = hn::Sub(reach, hn::Sub(hn::Load(d, quad.plane + c), hn::Set(d, tile.floor)));
-        const auto one_image = hn::And(hn::Le(hn::Add(hn::Abs(ex), hn::Add(half_x, tile_x)), hn::Set(d, 0.5f * space.period_x)),
-                                       hn::Le(hn::Add(hn::Abs(ey), hn::Add(half_y, tile_y)),
-                                              hn::Set(d, 0.5f * space.period_y * space.aspect)));
+        const auto one_image =
+            kMode != Mode::all ? hn::And(hn::Le(hn::Sub(both_x, ex), hn::Set(d, 0.5f * space.period_x)),
+                                hn::Le(hn::Sub(both_y, ey), hn::Set(d, 0.5f * space.period_y * space.aspect)))
+                      : hn::And(hn::Le(hn::Add(hn::Abs(ex), both_x), hn::Set(d, 0.5f * space.period_x)),
+                                hn::Le(hn::Add(hn::Abs(ey), both_y), hn::Set(d, 0.5f * space.period_y * space.aspect)));
         const auto held = hn::And(hn::Ge(spare, hn::Add(node_spread, tile_spread)), one_image);
         matters = hn::AndNot(held, matters);
         std::uint8_t mask[8] = {};
@@ -129,19 +193,21 @@ std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const Pyrami
 }
 
 /// Whether any texel of the tile may need the node. `shrink`: least ratio of deflated to plain distance between them.
-template <bool kL1>
+template <bool kL1, Mode kMode>
 bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& node, float shrink) {
     const D d;
     const V factor = hn::Set(d, space.tolerance_factor), zero = hn::Zero(d);
     const V half_x = hn::Set(d, node.half_x), half_y = hn::Set(d, node.half_y * space.aspect);
     const V gx = hn::Set(d, node.gx), gy = hn::Set(d, node.gy / space.aspect);
     for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
-        const V ex = NearestImage(hn::Sub(hn::Set(d, node.cx), hn::Load(d, tile.x + i)), space.period_x);
-        const V dx = hn::Max(hn::Sub(hn::Abs(ex), half_x), zero);
-        // The plane is meant for one image of the node: not where another one may be as near.
-        const auto one_image = hn::Le(hn::Add(hn::Abs(ex), half_x), hn::Set(d, 0.5f * space.period_x));
+        const V ex = Towards<kMode>(hn::Sub(hn::Set(d, node.cx), hn::Load(d, tile.x + i)), node.half_x, space.period_x);
+        const V dx = hn::Max(hn::Sub(kMode != Mode::all ? ex : hn::Abs(ex), half_x), zero);
+        // The plane is meant for one image of the node: not where another one may be nearer. Directed, texels of the node that
+        // lie behind count from their next image, which is farther than this one while they lie less than half a period back.
+        const auto one_image = kMode != Mode::all ? hn::Le(hn::Sub(half_x, ex), hn::Set(d, 0.5f * space.period_x))
+                                         : hn::Le(hn::Add(hn::Abs(ex), half_x), hn::Set(d, 0.5f * space.period_x));
         for (int j = 0; j < tile_size; ++j) {
-            if (j % strip_rows == 0 && !StripNeeds<kL1>(space, tile, j / strip_rows, i, node, dx, factor)) {
+            if (j % strip_rows == 0 && !StripNeeds<kL1, kMode>(space, tile, j / strip_rows, i, node, dx, factor)) {
                 j += strip_rows - 1;
                 continue;
             }
@@ -149,14 +215,17 @@ bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& no
             const int at = j * tile_size + i;
             const V need = hn::Mul(hn::Load(d, tile.need + at), factor);
             const V height = hn::Load(d, tile.height + at);
-            const float ey = NearestImage(node.cy - tile.y[j], space.period_y);
-            const float dy = std::max(std::fabs(ey) - node.half_y, 0.0f) * space.aspect;
+            const float ey = Towards<kMode>(node.cy - tile.y[j], node.half_y, space.period_y);
+            V gap_x = dx, gap_y = hn::Set(d, std::max((kMode != Mode::all ? ey : std::fabs(ey)) - node.half_y, 0.0f) * space.aspect);
+            if (kMode == Mode::wedge)
+                WedgeGaps<kMode>(d, space, ex, hn::Set(d, ey * space.aspect), half_x, half_y, hn::Set(d, space.images_x(node.cx + node.half_x)),
+                          hn::Set(d, space.images_y(node.cy + node.half_y) * space.aspect), gap_x, gap_y);
             const V rise = hn::Max(hn::Sub(hn::Set(d, node.max), height), zero);
-            auto matters = Exceeds<kL1>(rise, need, Reach<kL1>(space, dx, hn::Set(d, dy)));
+            auto matters = Exceeds<kL1>(rise, need, Reach<kL1>(space, gap_x, gap_y));
             if (hn::AllFalse(d, matters)) continue;
             // The plane: F(v) = need |v| - (rise of the plane at v) is convex in v, so its tangent at the node's
             // centre bounds it from below over the whole node.
-            if (std::fabs(ey) + node.half_y <= 0.5f * space.period_y) {
+            if (kMode != Mode::all ? node.half_y - ey <= 0.5f * space.period_y : std::fabs(ey) + node.half_y <= 0.5f * space.period_y) {
                 const V vy = hn::Set(d, ey * space.aspect);
                 const V distance = Length<kL1>(ex, vy);
                 const V slope = hn::Mul(need, hn::Set(d, shrink));
@@ -173,18 +242,37 @@ bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& no
     return false;
 }
 
-/// Whether a texel may raise any need of the tile: cheap, and true too often for near texels only.
-template <bool kL1>
-HWY_INLINE bool MayRaise(const SearchSpace& space, const Tile& tile, float bx, float by, float height) {
+/// Absolute displacements from the lanes of a tile row to a texel; y scaled by the aspect.
+template <Mode kMode>
+HWY_INLINE void Displacements(const SearchSpace& space, V lanes_x, float lane_y, const Opponent& texel, V& dx, V& dy) {
     const D d;
-    const V high = hn::Set(d, height);
+    dx = Towards<kMode>(hn::Sub(hn::Set(d, texel.x), lanes_x), 0, space.period_x);
+    const float ey = Towards<kMode>(texel.y - lane_y, 0, space.period_y);
+    if (kMode == Mode::all) dx = hn::Abs(dx);
+    dy = hn::Set(d, std::fabs(ey) * space.aspect);
+    if (kMode == Mode::wedge) WedgeImage(space, texel, dx, dy);
+}
+
+/// Whether a texel may raise any need of the tile: cheap, and true too often for near texels only.
+template <bool kL1, Mode kMode>
+HWY_INLINE bool MayRaise(const SearchSpace& space, const Tile& tile, const Opponent& texel) {
+    const D d;
+    const V high = hn::Set(d, texel.height), deflation = hn::Set(d, space.deflation);
     for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
-        const V dx = hn::Abs(NearestImage(hn::Sub(hn::Set(d, bx), hn::Load(d, tile.x + i)), space.period_x));
-        const V along = kL1 ? dx : hn::Sub(hn::Mul(dx, dx), hn::Set(d, space.deflation));
+        const V lanes_x = hn::Load(d, tile.x + i);
+        V dx, dy;
+        Displacements<kMode>(space, lanes_x, tile.y[0], texel, dx, dy);
+        const V along = kL1 ? dx : hn::Sub(hn::Mul(dx, dx), deflation); // of every row, but in a wedge
         auto better = hn::Gt(high, high);
         for (int j = 0; j < tile_size; ++j) {
-            const float dy = std::fabs(NearestImage(by - tile.y[j], space.period_y)) * space.aspect;
-            const V reach = hn::Add(along, hn::Set(d, kL1 ? dy : dy * dy));
+            V reach;
+            if (kMode == Mode::wedge) {
+                Displacements<kMode>(space, lanes_x, tile.y[j], texel, dx, dy);
+                reach = kL1 ? hn::Add(dx, dy) : hn::Sub(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), deflation);
+            } else {
+                const float y = std::fabs(Towards<kMode>(texel.y - tile.y[j], 0, space.period_y)) * space.aspect;
+                reach = hn::Add(along, hn::Set(d, kL1 ? y : y * y));
+            }
             const V rise = hn::Max(hn::Sub(high, hn::Load(d, tile.height + j * tile_size + i)), hn::Zero(d));
             better = hn::Or(better, Exceeds<kL1>(rise, hn::Load(d, tile.need + j * tile_size + i), reach));
         }
@@ -194,22 +282,26 @@ HWY_INLINE bool MayRaise(const SearchSpace& space, const Tile& tile, float bx, f
 }
 
 /// Compares one texel with the whole tile and keeps what it asks for. Returns whether anything was raised.
-template <bool kL1>
-bool CompareTexel(const SearchSpace& space, Tile& tile, float bx, float by, float height) {
-    if (!MayRaise<kL1>(space, tile, bx, by, height)) return false;
+template <bool kL1, Mode kMode>
+bool CompareTexel(const SearchSpace& space, Tile& tile, const Opponent& texel) {
+    if (!MayRaise<kL1, kMode>(space, tile, texel)) return false;
     const D d;
     bool raised = false;
-    const V near = hn::Set(d, float(near_radius) + 0.5f);
+    const float near = float(near_radius) + 0.5f;
     for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
-        const V dx = hn::Abs(NearestImage(hn::Sub(hn::Set(d, bx), hn::Load(d, tile.x + i)), space.period_x));
         for (int j = 0; j < tile_size; ++j) {
             const int at = j * tile_size + i;
-            const float dy = std::fabs(NearestImage(by - tile.y[j], space.period_y));
+            V dx, dy;
+            Displacements<kMode>(space, hn::Load(d, tile.x + i), tile.y[j], texel, dx, dy);
             const V need = hn::Load(d, tile.need + at);
-            const V rise = hn::Max(hn::Sub(hn::Set(d, height), hn::Load(d, tile.height + at)), hn::Zero(d));
-            const V reach = Reach<kL1>(space, dx, hn::Set(d, dy * space.aspect));
-            const auto far = hn::Gt(hn::Max(dx, hn::Set(d, dy)), near);
-            const auto better = hn::And(Exceeds<kL1>(rise, need, reach), far);
+            const V rise = hn::Max(hn::Sub(hn::Set(d, texel.height), hn::Load(d, tile.height + at)), hn::Zero(d));
+            const V reach = Reach<kL1>(space, dx, dy);
+            auto counts = hn::Or(hn::Gt(dx, hn::Set(d, near)), hn::Gt(dy, hn::Set(d, near * space.aspect)));
+            if (texel.from > 0) {
+                const V farthest = hn::Add(Length<kL1>(dx, dy), hn::Set(d, space.widest_step));
+                counts = hn::And(counts, hn::Gt(farthest, hn::Set(d, texel.from)));
+            }
+            const auto better = hn::And(Exceeds<kL1>(rise, need, reach), counts);
             if (hn::AllFalse(d, better)) continue;
             const V slope = hn::IfThenElseZero(better, hn::Div(rise, kL1 ? reach : hn::Sqrt(reach)));
             hn::Store(hn::Max(slope, need), d, tile.need + at);
@@ -221,16 +313,22 @@ bool CompareTexel(const SearchSpace& space, Tile& tile, float bx, float by, floa
 }
 
 /// Texels of a leaf that may exceed the tile's least need, as bits, row by row.
-std::uint32_t LeafCandidates(const SearchSpace& space, const Tile& tile, const LeafTexels& leaf, float threshold) {
+template <Mode kMode>
+std::uint32_t LeafCandidatesOf(const SearchSpace& space, const Tile& tile, const LeafTexels& leaf, float threshold) {
     const HWY_CAPPED(float, MaxPyramid::leaf_size) d;
     static_assert(MaxPyramid::leaf_size == 4);
     std::uint32_t bits = 0;
     for (int i = 0; i < MaxPyramid::leaf_size; i += int(hn::Lanes(d))) {
-        auto dx = hn::Abs(hn::Sub(hn::Iota(d, leaf.x + float(i)), hn::Set(d, tile.centre_x)));
-        dx = hn::Max(hn::Sub(hn::Min(dx, hn::Sub(hn::Set(d, space.period_x), dx)), hn::Set(d, tile.half_x)), hn::Zero(d));
+        const auto period = hn::Set(d, space.period_x), half = hn::Set(d, tile.half_x);
+        auto dx = hn::Sub(hn::Iota(d, leaf.x + float(i)), hn::Set(d, tile.centre_x));
+        if (kMode != Mode::all) dx = hn::IfThenElse(hn::Lt(hn::Add(dx, half), hn::Zero(d)), hn::Add(dx, period), dx);
+        else dx = hn::Abs(dx), dx = hn::Min(dx, hn::Sub(period, dx));
+        dx = hn::Max(hn::Sub(dx, half), hn::Zero(d));
         for (int j = 0; j < MaxPyramid::leaf_size; ++j) {
-            float dy = std::fabs(leaf.y + float(j) - tile.centre_y);
-            dy = std::max(std::min(dy, space.period_y - dy) - tile.half_y, 0.0f) * space.aspect;
+            float dy = leaf.y + float(j) - tile.centre_y;
+            if (kMode != Mode::all) dy = dy + tile.half_y < 0 ? dy + space.period_y : dy;
+            else dy = std::fabs(dy), dy = std::min(dy, space.period_y - dy);
+            dy = std::max(dy - tile.half_y, 0.0f) * space.aspect;
             const auto height = hn::Load(d, leaf.height + j * MaxPyramid::leaf_size + i);
             const auto rise = hn::Max(hn::Sub(height, hn::Set(d, tile.lowest)), hn::Zero(d));
             const auto sum = hn::Add(dx, hn::Set(d, dy));
@@ -259,22 +357,51 @@ float SummariseNeeds(Tile& tile) {
     return hn::GetLane(hn::MinOfLanes(d, least));
 }
 
-std::uint32_t QuadNeedsL2(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need,
-                          QuadBounds& b) {
-    return QuadNeeds<false>(s, t, q, p, need, b);
-}
-std::uint32_t QuadNeedsL1(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need,
-                          QuadBounds& b) {
-    return QuadNeeds<true>(s, t, q, p, need, b);
+std::uint32_t QuadNeedsL2(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<false, Mode::all>(s, t, q, p, need, b);
 }
 bool TileNeedsL2(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<false>(s, t, n, shrink);
+    return TileNeeds<false, Mode::all>(s, t, n, shrink);
+}
+bool CompareTexelL2(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::all>(s, t, texel); }
+std::uint32_t QuadNeedsL2Quadrant(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<false, Mode::quadrant>(s, t, q, p, need, b);
+}
+bool TileNeedsL2Quadrant(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<false, Mode::quadrant>(s, t, n, shrink);
+}
+bool CompareTexelL2Quadrant(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::quadrant>(s, t, texel); }
+std::uint32_t QuadNeedsL2Wedge(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<false, Mode::wedge>(s, t, q, p, need, b);
+}
+bool TileNeedsL2Wedge(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<false, Mode::wedge>(s, t, n, shrink);
+}
+bool CompareTexelL2Wedge(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::wedge>(s, t, texel); }
+std::uint32_t QuadNeedsL1(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<true, Mode::all>(s, t, q, p, need, b);
 }
 bool TileNeedsL1(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<true>(s, t, n, shrink);
+    return TileNeeds<true, Mode::all>(s, t, n, shrink);
 }
-bool CompareTexelL2(const SearchSpace& s, Tile& t, float x, float y, float h) { return CompareTexel<false>(s, t, x, y, h); }
-bool CompareTexelL1(const SearchSpace& s, Tile& t, float x, float y, float h) { return CompareTexel<true>(s, t, x, y, h); }
+bool CompareTexelL1(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::all>(s, t, texel); }
+std::uint32_t QuadNeedsL1Quadrant(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<true, Mode::quadrant>(s, t, q, p, need, b);
+}
+bool TileNeedsL1Quadrant(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<true, Mode::quadrant>(s, t, n, shrink);
+}
+bool CompareTexelL1Quadrant(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::quadrant>(s, t, texel); }
+std::uint32_t QuadNeedsL1Wedge(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<true, Mode::wedge>(s, t, q, p, need, b);
+}
+bool TileNeedsL1Wedge(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<true, Mode::wedge>(s, t, n, shrink);
+}
+bool CompareTexelL1Wedge(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::wedge>(s, t, texel); }
+std::uint32_t LeafCandidates(const SearchSpace& s, const Tile& t, const LeafTexels& leaf, float threshold) {
+    return s.directed ? LeafCandidatesOf<Mode::quadrant>(s, t, leaf, threshold) : LeafCandidatesOf<Mode::all>(s, t, leaf, threshold);
+}
 
 } // namespace HWY_NAMESPACE
 } // namespace reliefbake
@@ -283,20 +410,43 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace reliefbake {
 HWY_EXPORT(QuadNeedsL2);
-HWY_EXPORT(QuadNeedsL1);
 HWY_EXPORT(TileNeedsL2);
-HWY_EXPORT(TileNeedsL1);
 HWY_EXPORT(CompareTexelL2);
+HWY_EXPORT(QuadNeedsL2Quadrant);
+HWY_EXPORT(TileNeedsL2Quadrant);
+HWY_EXPORT(CompareTexelL2Quadrant);
+HWY_EXPORT(QuadNeedsL2Wedge);
+HWY_EXPORT(TileNeedsL2Wedge);
+HWY_EXPORT(CompareTexelL2Wedge);
+HWY_EXPORT(QuadNeedsL1);
+HWY_EXPORT(TileNeedsL1);
 HWY_EXPORT(CompareTexelL1);
+HWY_EXPORT(QuadNeedsL1Quadrant);
+HWY_EXPORT(TileNeedsL1Quadrant);
+HWY_EXPORT(CompareTexelL1Quadrant);
+HWY_EXPORT(QuadNeedsL1Wedge);
+HWY_EXPORT(TileNeedsL1Wedge);
+HWY_EXPORT(CompareTexelL1Wedge);
 HWY_EXPORT(SummariseNeeds);
 HWY_EXPORT(LeafCandidates);
 
-TileKernels tile_kernels(bool l1) {
+TileKernels tile_kernels(const SearchSpace& space) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets()); // so that the addresses are final
-    return {l1 ? &HWY_DYNAMIC_DISPATCH(QuadNeedsL1) : &HWY_DYNAMIC_DISPATCH(QuadNeedsL2),
-            l1 ? &HWY_DYNAMIC_DISPATCH(TileNeedsL1) : &HWY_DYNAMIC_DISPATCH(TileNeedsL2),
-            l1 ? &HWY_DYNAMIC_DISPATCH(CompareTexelL1) : &HWY_DYNAMIC_DISPATCH(CompareTexelL2),
-            &HWY_DYNAMIC_DISPATCH(LeafCandidates), &HWY_DYNAMIC_DISPATCH(SummariseNeeds)};
+    TileKernels kernels{};
+    kernels.leaf_candidates = &HWY_DYNAMIC_DISPATCH(LeafCandidates);
+    kernels.summarise_needs = &HWY_DYNAMIC_DISPATCH(SummariseNeeds);
+#define RELIEFBAKE_CHOOSE(Kind)                                      \
+    kernels.quad_needs = &HWY_DYNAMIC_DISPATCH(QuadNeeds##Kind);     \
+    kernels.tile_needs = &HWY_DYNAMIC_DISPATCH(TileNeeds##Kind);     \
+    kernels.compare_texel = &HWY_DYNAMIC_DISPATCH(CompareTexel##Kind)
+    if (space.l1 && space.wedged) { RELIEFBAKE_CHOOSE(L1Wedge); }
+    else if (space.l1 && space.directed) { RELIEFBAKE_CHOOSE(L1Quadrant); }
+    else if (space.l1) { RELIEFBAKE_CHOOSE(L1); }
+    else if (space.wedged) { RELIEFBAKE_CHOOSE(L2Wedge); }
+    else if (space.directed) { RELIEFBAKE_CHOOSE(L2Quadrant); }
+    else { RELIEFBAKE_CHOOSE(L2); }
+#undef RELIEFBAKE_CHOOSE
+    return kernels;
 }
 
 } // namespace reliefbake

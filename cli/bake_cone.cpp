@@ -9,6 +9,7 @@
 #include "cli/stage_clock.h"
 #include "formats/map_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -48,13 +49,31 @@ Result<StoredHeight> read_depth(const ConePlan& plan, StageClock& clock) {
     return StoredHeight{std::move(*source), height->report, std::move(depth)};
 }
 
-ConeMap bake_timed_cones(const DepthMap& depth, const ConeOptions& options, StageClock& clock) {
+std::vector<ConeMap> bake_kind(const DepthMap& depth, const ConePlan& plan, ConeStatistics& statistics) {
+    if (plan.given.kind == "acm") return bake_sector_cones(depth, plan.given.planes, plan.cone, &statistics);
+    if (plan.given.kind == "cone-stack") return bake_stacked_cones(depth, plan.given.planes, plan.cone, &statistics);
+    std::vector<ConeMap> one;
+    one.push_back(bake_cones(depth, plan.cone, &statistics));
+    return one;
+}
+
+std::vector<ConeMap> bake_timed_cones(const DepthMap& depth, const ConePlan& plan, StageClock& clock) {
     ConeStatistics statistics;
-    ConeMap cones = clock.time("cone", [&] { return bake_cones(depth, options, &statistics); });
+    std::vector<ConeMap> cones = clock.time("cone", [&] { return bake_kind(depth, plan, statistics); });
     clock.add("cone_near", statistics.seconds_near);
     clock.add("cone_pyramid", statistics.seconds_pyramid);
     clock.add("cone_search", statistics.seconds_search);
     return cones;
+}
+
+/// The ordinary cone map that goes with cones alone: its cone at a texel is the narrowest of theirs.
+ReliefMap relief_map_for(const ReliefMap& map, const EncodedConeMap& first) {
+    ReliefMap relief{map.info, map.grid, map.normal_x, map.normal_y, first.value, map.depth, {}};
+    relief.info.kind = "cone", relief.info.planes = 0, relief.info.layout = ChannelLayout::rgba;
+    if (map.info.kind == "acm") // codes grow with cones; the levels of a stack above the first stand above the surface
+        for (const Image<float>& plane : map.cone_planes)
+            for (std::size_t k = 0; k < plane.size(); ++k) relief.cone[k] = std::min(relief.cone[k], plane[k]);
+    return relief;
 }
 
 void print(const ConeRun& run) {
@@ -69,13 +88,12 @@ void print(const ConeRun& run) {
 
 void ConeCommand::add_to(CLI::App& app) { add_cone_options(app, options_); }
 
-Result<void> ConeCommand::run() {
-    const Result<ConePlan> plan = plan_cone(options_);
-    if (!plan) return tl::unexpected(plan.error());
-    return bake(*plan);
-}
+Result<void> ConeCommand::run() { return bake_planned(options_); }
 
-Result<void> ConeCommand::bake(const ConePlan& plan) {
+Result<void> bake_planned(const ConeCommandOptions& options) {
+    const Result<ConePlan> planned = plan_cone(options);
+    if (!planned) return tl::unexpected(planned.error());
+    const ConePlan& plan = *planned;
     const ConeCommandOptions& given = plan.given;
     StageClock clock(!given.quiet);
 
@@ -90,9 +108,11 @@ Result<void> ConeCommand::bake(const ConePlan& plan) {
         return {};
     }
     DepthMap& depth = stored->depth;
-    ConeMap cones = bake_timed_cones(depth, plan.cone, clock);
-    EncodedConeMap encoded = clock.time("encode", [&] {
-        return encode_cones(cones, depth, {given.encoding, plan.bits});
+    std::vector<ConeMap> cones = bake_timed_cones(depth, plan, clock);
+    std::vector<EncodedConeMap> encoded = clock.time("encode", [&] {
+        std::vector<EncodedConeMap> maps;
+        for (const ConeMap& map : cones) maps.push_back(encode_cones(map, depth, {given.encoding, plan.bits}));
+        return maps;
     });
     NormalMap normals = clock.time("normals", [&] {
         return bake_normals(depth, plan.depth_scale, plan.cone.threads);
@@ -102,10 +122,16 @@ Result<void> ConeCommand::bake(const ConePlan& plan) {
     const std::vector<std::string> warnings = cone_warnings(given, stored->source, depth, cones, encoded);
     cones = {};
 
+    const EncodedConeMap first = given.relief_output.empty() ? EncodedConeMap{} : encoded.front();
     const ReliefMap map = assemble_map(info, std::move(depth), std::move(encoded), std::move(normals));
-    const Result<void> written =
-        clock.time("write", [&] { return write_map(given.output, map, plan.cone.threads); });
+    const Result<void> written = clock.time("write", [&] { return write_map(given.output, map, plan.cone.threads); });
     if (!written) return written;
+    if (!given.relief_output.empty()) {
+        const Result<void> beside = clock.time("write_relief", [&] {
+            return write_map(given.relief_output, relief_map_for(map, first), plan.cone.threads);
+        });
+        if (!beside) return beside;
+    }
     clock.stop();
     print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds(), {}});
     return {};

@@ -34,11 +34,38 @@ std::vector<ConeMap> bake_all_cones(const std::vector<DepthMap>& depths, const C
     return cones;
 }
 
-template <class From, class Verb>
-auto each(const std::vector<From>& levels, Verb verb) {
-    std::vector<decltype(verb(levels[0]))> results;
-    for (const From& level : levels) results.push_back(verb(level));
-    return results;
+/// A level on its way from heights to channels.
+struct Level {
+    DepthMap depth;
+    std::vector<ConeMap> cones;        ///< one
+    std::vector<EncodedConeMap> codes; ///< of it
+    NormalMap normals;
+};
+
+/// Heights, cones, codes and normals of every level.
+std::vector<Level> bake_levels(const ConePlan& plan, const DepthMap& depth, StageClock& clock) {
+    std::vector<DepthMap> depths = clock.time("mips", [&] { return bake_depth_mips(depth); });
+    std::vector<ConeMap> cones = bake_all_cones(depths, plan.cone, clock);
+    if (plan.given.trilinear)
+        clock.time("trilinear", [&] {
+            narrow_for_trilinear(cones);
+            return true;
+        });
+    std::vector<Level> levels(depths.size());
+    for (std::size_t n = 0; n < levels.size(); ++n) {
+        levels[n].depth = std::move(depths[n]);
+        levels[n].cones.push_back(std::move(cones[n]));
+    }
+    clock.time("encode", [&] {
+        for (Level& level : levels)
+            level.codes.push_back(encode_cones(level.cones[0], level.depth, {plan.given.encoding, plan.bits}));
+        return true;
+    });
+    clock.time("normals", [&] {
+        for (Level& level : levels) level.normals = bake_normals(level.depth, plan.depth_scale, plan.cone.threads);
+        return true;
+    });
+    return levels;
 }
 
 /// One file's metadata must hold for all of its levels; numbered files speak for themselves.
@@ -56,44 +83,27 @@ std::string file_of(const ConePlan& plan, int level) {
 } // namespace
 
 Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const DepthMap& depth, StageClock& clock) {
-    const ConeCommandOptions& given = plan.given;
+    std::vector<Level> levels = bake_levels(plan, depth, clock);
 
-    // Every level's heights, cones, codes and normals.
-    std::vector<DepthMap> depths = clock.time("mips", [&] { return bake_depth_mips(depth); });
-    std::vector<ConeMap> cones = bake_all_cones(depths, plan.cone, clock);
-    if (given.trilinear)
-        clock.time("trilinear", [&] {
-            narrow_for_trilinear(cones);
-            return true;
-        });
-    std::vector<EncodedConeMap> encoded = clock.time("encode", [&] {
-        std::vector<EncodedConeMap> codes;
-        for (std::size_t n = 0; n < cones.size(); ++n)
-            codes.push_back(encode_cones(cones[n], depths[n], {given.encoding, plan.bits}));
-        return codes;
-    });
-    std::vector<NormalMap> normals = clock.time("normals", [&] {
-        return each(depths, [&](const DepthMap& level) { return bake_normals(level, plan.depth_scale, plan.cone.threads); });
-    });
-
-    // What they are.
+    // Say what they are.
     MipRun run;
     std::vector<ReliefMapInfo> infos;
-    for (std::size_t n = 0; n < cones.size(); ++n)
-        infos.push_back(describe_cones(plan, source, depths[n], cones[n], encoded[n]));
+    for (const Level& level : levels)
+        infos.push_back(describe_cones(plan, source, level.depth, level.cones, level.codes));
     describe_chain(infos, plan);
     run.info = infos[0];
-    run.warnings = cone_warnings(given, source, depths[0], cones[0], encoded[0]);
-    for (std::size_t n = 0; n < cones.size(); ++n)
-        run.levels.push_back({file_of(plan, int(n)), cones[n].grid, infos[n].statistics});
-    cones.clear();
+    run.warnings = cone_warnings(plan.given, source, levels[0].depth, levels[0].cones, levels[0].codes);
+    for (std::size_t n = 0; n < levels.size(); ++n)
+        run.levels.push_back({file_of(plan, int(n)), levels[n].depth.grid, infos[n].statistics});
 
-    // One file, or many.
+    // Write one file, or many.
     std::vector<ReliefMap> maps;
-    for (std::size_t n = 0; n < depths.size(); ++n)
-        maps.push_back(assemble_map(infos[n], std::move(depths[n]), std::move(encoded[n]), std::move(normals[n])));
+    for (std::size_t n = 0; n < levels.size(); ++n) {
+        Level level = std::move(levels[n]);
+        maps.push_back(assemble_map(infos[n], std::move(level.depth), std::move(level.codes), std::move(level.normals)));
+    }
     const Result<void> written =
-        clock.time("write", [&] { return write_map_levels(given.output, maps, plan.cone.threads); });
+        clock.time("write", [&] { return write_map_levels(plan.given.output, maps, plan.cone.threads); });
     if (!written) return tl::unexpected(written.error());
     return run;
 }

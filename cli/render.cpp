@@ -11,7 +11,6 @@ namespace reliefbake {
 
 namespace {
 
-constexpr int shadow_steps = 64;
 constexpr int most_pixels = 16384; ///< a side
 
 const NumberRule view_angle = {[](double x) { return x >= 0 && x < 90; }, "degrees from 0 to below 90"};
@@ -28,6 +27,25 @@ void parse_size(const std::string& text, RenderOptions& picture) {
         if (height.ec == std::errc() && height.ptr == end && fits(picture.width) && fits(picture.height)) return;
     }
     throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, such as 1024x768, found '" + text + "'");
+}
+
+/// --shadow, or --shadow WORD.
+void add_shadow(CLI::App& app, Shadow& shadow) {
+    const auto assign = [&shadow](const std::string& given) {
+        if (given.empty()) {
+            shadow = Shadow::height_soft;
+            return;
+        }
+        for (const auto& [word, meaning] : shadow_words)
+            if (word == given) {
+                shadow = meaning;
+                return;
+            }
+        throw CLI::ValidationError("--shadow", "expected " + alternatives(shadow_words) + ", found '" + given + "'");
+    };
+    app.add_option_function<std::string>("--shadow", assign, "March to the sun too (alone: height-soft)")
+        ->expected(0, 1)
+        ->type_name(alternatives(shadow_words));
 }
 
 void add_view_options(CLI::App& app, RenderOptions& picture) {
@@ -57,27 +75,29 @@ void RenderCommand::add_to(CLI::App& app) {
     app.add_option("-o,--output", options_.output, "Picture to write, PNG")->required()->type_name("PNG");
     add_view_options(app, options_.picture);
     app.option_defaults()->group("Technique");
-    add_choice(app, "--technique", options_.picture.technique, technique_words, "How rays are followed (default cone)");
-    app.add_flag("--exact-finish", options_.picture.exact_finish,
-                 "Cone: solve the bilinear patch in the cell reached");
-    app.add_option("--steps", options_.steps, "Longest march, or steps of the linear search (default 256, 64)")
-        ->check(CLI::Range(1, 100000));
-    app.add_flag("--shadow", options_.shadow, "March to the sun too");
+    add_technique_options(app, options_.technique, options_.picture.max_steps);
+    app.option_defaults()->group("Light");
+    add_shadow(app, options_.picture.shadow);
+    add_choice(app, "--ao", options_.picture.ambient, ambient_words,
+               "Sky seen through the cones (default cone-normal; none where cones may hold relief)");
+    app.option_defaults()->group("Driver");
     add_choice(app, "--renderer", options_.backend, renderer_words, "Who draws (default osmesa)");
     app.option_defaults()->group("Map");
     add_map_hints(app, options_.hints);
 }
 
 Result<void> RenderCommand::run() {
-    if (options_.picture.exact_finish && options_.picture.technique != Technique::cone)
-        return fail(ErrorCode::usage, "--exact-finish needs --technique cone");
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
 
     RenderOptions picture = options_.picture;
-    picture.max_steps = options_.steps.value_or(picture.max_steps);
-    picture.linear_steps = options_.steps.value_or(picture.linear_steps);
-    picture.shadow_steps = options_.shadow ? shadow_steps : 0;
+    const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, picture.max_steps);
+    if (!technique) return tl::unexpected(technique.error());
+    picture.technique = technique->technique;
+    picture.exact_finish = technique->exact_finish;
+    picture.max_steps = technique->max_steps;
+    picture.linear_steps = technique->linear_steps;
+    picture.binary_steps = technique->binary_steps;
     const Result<Rendering> rendering = render(*map, picture, options_.backend);
     if (!rendering) return tl::unexpected(rendering.error());
     const RgbImage& colour = rendering->colour;

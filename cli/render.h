@@ -2,10 +2,10 @@
 // reliefbake render MAP -o PNG
 
 #include "cli/command.h"
+#include "cli/technique_options.h"
 #include "formats/map_file.h"
 #include "shaders-reference/renderer/relief_renderer.h"
 
-#include <optional>
 #include <string>
 
 namespace reliefbake {
@@ -22,8 +22,7 @@ class RenderCommand : public Command {
         MapHints hints;
         RenderOptions picture;
         RendererBackend backend = RendererBackend::osmesa;
-        std::optional<int> steps; ///< of whichever technique
-        bool shadow = false;
+        TechniqueOptions technique;
     } options_;
 };
 

@@ -6,10 +6,16 @@
 
 namespace reliefbake {
 
-inline const Words<Technique> technique_words = {{"cone", Technique::cone},
-                                                 {"cone-published", Technique::cone_published},
-                                                 {"linear", Technique::linear},
-                                                 {"binary", Technique::binary}};
+inline const Words<Technique> technique_words = [] {
+    Words<Technique> words;
+    for (const TechniqueInfo& info : all_techniques())
+        if (!info.word.empty()) words.emplace_back(std::string(info.word), info.technique);
+    return words;
+}();
+inline const Words<Shadow> shadow_words = {
+    {"hard", Shadow::hard}, {"height-soft", Shadow::height_soft}, {"cone-soft", Shadow::cone_soft}};
+inline const Words<Ambient> ambient_words = {
+    {"none", Ambient::none}, {"cone", Ambient::cone}, {"cone-normal", Ambient::cone_normal}};
 inline const Words<RendererBackend> renderer_words = {{"osmesa", RendererBackend::osmesa},
                                                       {"egl", RendererBackend::egl}};
 inline const Words<SamplerFilter> filter_words = {{"float", SamplerFilter::exact},

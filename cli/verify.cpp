@@ -35,6 +35,8 @@ Result<void> write_pictures(const std::string& folder, const VerifyReport& repor
     return {};
 }
 
+constexpr int enough_halvings = 24; // of the whole depth: 2^-24
+
 } // namespace
 
 void VerifyCommand::add_to(CLI::App& app) {
@@ -57,9 +59,7 @@ void VerifyCommand::add_to(CLI::App& app) {
         ->check(CLI::Range(0, 1024));
     add_thread_option(app, options_.verify.threads);
     app.option_defaults()->group("Technique");
-    add_choice(app, "--technique", options_.verify.technique, technique_words, "How rays are followed (default cone)");
-    app.add_flag("--exact-finish", options_.verify.exact_finish, "Cone: solve the bilinear patch in the cell reached");
-    app.add_option("--steps", options_.verify.max_steps, "Longest march (default 512)")->check(CLI::Range(1, 100000));
+    add_technique_options(app, options_.technique, options_.verify.max_steps);
     add_choice(app, "--filter", options_.verify.filter, filter_words,
                "Weights of the sampler: float, or 8-bit fixed point (default float)");
     add_choice(app, "--renderer", options_.verify.backend, renderer_words, "Who draws (default osmesa)");
@@ -78,14 +78,23 @@ Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
 
 Result<void> VerifyCommand::run() {
     VerifyOptions options = options_.verify;
-    if (options.exact_finish && options.technique != Technique::cone)
-        return fail(ErrorCode::usage, "--exact-finish needs --technique cone");
     const Result<int> threads = resolve_threads(options.threads);
     if (!threads) return tl::unexpected(threads.error());
     options.threads = *threads;
     options.pictures = !options_.pictures.empty();
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
+    const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, options.max_steps);
+    if (!technique) return tl::unexpected(technique.error());
+    options.technique = technique->technique;
+    options.exact_finish = technique->exact_finish;
+    options.max_steps = technique->max_steps;
+    options.linear_steps = technique->linear_steps;
+    options.binary_steps = technique->binary_steps;
+    // What a map promises shows when its march may end and its last step is narrowed down; a shader's counts are for --steps.
+    const bool refines = technique->technique == Technique::relaxed || technique->technique == Technique::relaxed_secant;
+    if (refines && !options_.technique.steps) options.max_steps = options_.verify.max_steps;
+    if (refines && !options_.technique.binary_steps) options.binary_steps = enough_halvings;
     DepthMap source;
     if (!options_.source.empty()) {
         Result<DepthMap> read = read_source(*map);

@@ -2,6 +2,7 @@
 // reliefbake verify MAP
 
 #include "cli/command.h"
+#include "cli/technique_options.h"
 #include "formats/map_file.h"
 #include "formats/read_image.h"
 #include "shaders-reference/measure/verify.h"
@@ -26,6 +27,7 @@ class VerifyCommand : public Command {
         std::string pictures; ///< folder
         MapHints hints;
         VerifyOptions verify;
+        TechniqueOptions technique;
         bool json = false;
     } options_;
 };

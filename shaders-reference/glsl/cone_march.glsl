@@ -1,7 +1,7 @@
-// Cone step mapping over a conservative map (Dummer 2006; 001 sec. 2.4): never passes a point of the relief.
-// Needs relief_map.glsl and patch_hit.glsl.
+// Cone step mapping over a conservative map (Dummer 2006; 001 sec. 2.4): never passes a point of the relief. Over a hybrid
+// map it ends at most delta below the first surface that it meets. Needs relief_map.glsl, relief_cones.glsl, patch_hit.glsl.
 //
-//     step = ratio * gap / (reach + ratio),   gap = height above the relief,  reach = widths per unit of descent
+//     step = ratio * gap / (reach + ratio),   gap = height above the apex,  reach = widths per unit of descent
 //
 // RELIEF_EXACT_FINISH 1: a step that would end inside its cell is replaced by the exact patch test, then by a step to the
 // cell's wall. Costs four more reads in such cells, needs no epsilon, and no ray creeps.
@@ -14,32 +14,29 @@ ReliefHit cone_march(ReliefRay ray) {
     vec2 size = vec2(textureSize(relief_map, 0));
     vec2 origin = ray.origin * size - 0.5;
     vec2 direction = ray.direction * size;
-    float reach = relief_length(ray.direction);
+    ReliefCourse course = relief_course(ray.direction, 1.0);
 
-    ReliefHit hit = ReliefHit(0.0, 0.0, 0, 0, RELIEF_OUT_OF_STEPS);
-    ivec2 cell = ivec2(0);
+    ReliefHit hit = relief_start();
+    ivec2 cell = ivec2(0, 0);
     bool at_wall = false; // then `cell` is the one entered; a rounded position might name the one left
     for (int i = 0; i < relief_max_steps; ++i) {
-        vec4 texel = textureLod(relief_map, ray.origin + hit.t * ray.direction, 0.0);
+        ReliefLook look = relief_look(ray.origin + hit.t * ray.direction, hit.t, course);
         hit.steps += 1;
-        hit.fetches += 1;
-        hit.gap = relief_depth(texel) - hit.t;
-        float gap = max(hit.gap - relief_delta, 0.0);
-        float ratio = relief_ratio(texel);
-        float advance = ratio > 0.0 ? ratio * gap / (reach + ratio) : 0.0;
+        hit.fetches += look.fetches;
+        hit.gap = look.gap;
 #if RELIEF_EXACT_FINISH
         bool test_cell = true;
 #else
-        if (hit.gap - relief_delta <= relief_epsilon) {
+        if (look.gap - relief_delta <= relief_epsilon) {
             hit.status = RELIEF_HIT;
             return hit;
         }
-        bool test_cell = ratio <= 0.0;
+        bool test_cell = look.advance <= 0.0;
 #endif
         if (test_cell) {
             if (!at_wall) cell = ivec2(floor(origin + hit.t * direction));
             ReliefWall wall = relief_wall(origin, direction, cell);
-            if (hit.t + advance < wall.t) {
+            if (hit.t + look.advance < wall.t) {
                 float t = relief_patch_hit(origin, direction, cell, hit.t, wall.t);
                 hit.fetches += 4;
                 if (t >= 0.0) {
@@ -54,7 +51,7 @@ ReliefHit cone_march(ReliefRay ray) {
                 continue;
             }
         }
-        hit.t += advance;
+        hit.t += look.advance;
         at_wall = false;
     }
     return hit;

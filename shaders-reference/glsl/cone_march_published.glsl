@@ -1,5 +1,6 @@
 // The step of 000's Algorithm 7, as printed, for comparison: the *whole* ray, its descent too, is scaled by
-// |v.xy| / sqrt(vx^2 + R^2 vy^2). On a map that is not square it can overstep. Needs relief_map.glsl.
+// |v.xy| / sqrt(vx^2 + R^2 vy^2). On a map that is not square it can overstep. One cone a texel alone.
+// Needs relief_map.glsl.
 
 uniform int relief_max_steps;
 uniform float relief_epsilon;
@@ -9,7 +10,7 @@ ReliefHit cone_march_published(ReliefRay ray) {
     float scale = round_length > 0.0 ? length(ray.direction) / round_length : 1.0;
     float reach = scale * length(ray.direction);
 
-    ReliefHit hit = ReliefHit(0.0, 0.0, 0, 0, RELIEF_OUT_OF_STEPS);
+    ReliefHit hit = relief_start();
     for (int i = 0; i < relief_max_steps; ++i) {
         vec4 texel = textureLod(relief_map, ray.origin + hit.t * ray.direction, 0.0);
         hit.steps += 1;
@@ -19,7 +20,7 @@ ReliefHit cone_march_published(ReliefRay ray) {
             hit.status = RELIEF_HIT;
             return hit;
         }
-        float ratio = relief_ratio(texel);
+        float ratio = relief_ratio(texel.b, texel.a);
         hit.t += scale * (ratio > 0.0 ? ratio * hit.gap / (reach + ratio) : 0.0);
     }
     return hit;

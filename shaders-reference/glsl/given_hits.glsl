@@ -5,5 +5,9 @@ uniform sampler2D given_hits; // (t, gap, status, -), the picture's bottom row f
 
 ReliefHit given_hit(ReliefRay ray) {
     vec4 given = texelFetch(given_hits, ivec2(gl_FragCoord.xy), 0);
-    return ReliefHit(given.x, given.y, 0, 0, int(given.z));
+    ReliefHit hit = relief_start();
+    hit.t = given.x;
+    hit.gap = given.y;
+    hit.status = int(given.z);
+    return hit;
 }

@@ -1,13 +1,5 @@
 // The exact test of a ray against one bilinear patch, from unfiltered texels. Needs relief_map.glsl.
 
-ivec2 relief_address(ivec2 texel) {
-    ivec2 size = textureSize(relief_map, 0);
-    ivec2 tile = ivec2(floor(vec2(texel) / vec2(size)));
-    ivec2 repeated = texel - tile * size;
-    ivec2 clamped = clamp(texel, ivec2(0), size - 1);
-    return ivec2(relief_repeat.x == 1 ? repeated.x : clamped.x, relief_repeat.y == 1 ? repeated.y : clamped.y);
-}
-
 float relief_texel_depth(ivec2 texel) { return relief_depth(texelFetch(relief_map, relief_address(texel), 0)); }
 
 // Where the ray leaves a cell, and the cell it enters there. Positions in texels: cell c is [c, c + 1].
@@ -17,11 +9,14 @@ struct ReliefWall {
 };
 
 ReliefWall relief_wall(vec2 origin, vec2 direction, ivec2 cell) {
-    vec2 far = vec2(1e30);
+    vec2 far = vec2(1e30, 1e30);
     if (direction.x != 0.0) far.x = (float(cell.x) + (direction.x > 0.0 ? 1.0 : 0.0) - origin.x) / direction.x;
     if (direction.y != 0.0) far.y = (float(cell.y) + (direction.y > 0.0 ? 1.0 : 0.0) - origin.y) / direction.y;
     ivec2 over = far.x <= far.y ? ivec2(direction.x > 0.0 ? 1 : -1, 0) : ivec2(0, direction.y > 0.0 ? 1 : -1);
-    return ReliefWall(min(far.x, far.y), cell + over);
+    ReliefWall wall;
+    wall.t = min(far.x, far.y);
+    wall.next = cell + over;
+    return wall;
 }
 
 // First t in [t_in, t_out] with the ray on or under the patch of `cell`; -1 when there is none.

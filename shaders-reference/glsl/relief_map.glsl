@@ -1,6 +1,6 @@
 // A baked relief map and what its channels mean.
 //
-// Texel = (normal x, normal y, cone, depth). Depth 0 is the polygon, 1 the floor. Horizontal lengths are in texture
+// Texel = (normal x, normal y, cone, depth); maps with several cones a texel keep them apart (relief_cones.glsl). Depth 0 is the polygon, 1 the floor. Horizontal lengths are in texture
 // widths, so that cones are round on maps of any shape: |(du, dv)|^2 = du^2 + (aspect dv)^2.
 //
 // Set before this text, from the map's metadata (`reliefbake explain`):
@@ -14,20 +14,31 @@ uniform float relief_cone_max;  // ratio of the largest code (ratio, sqrt)
 uniform float relief_aspect;    // R = height / width * pixel aspect
 uniform float relief_delta;     // how far the sampler's filter may err in height; 0 for exact filters
 uniform ivec2 relief_repeat;    // per axis: 1 repeat, 0 clamp
+uniform float relief_depth_scale; // depth of the relief, texture widths
 
 float relief_depth(vec4 texel) { return texel.a; }
 
-// Cone ratio: radius in texture widths per unit of height. A wider one may hit the relief.
-float relief_ratio(vec4 texel) {
+// Cone ratio of a sampled code: radius in texture widths per unit of height. A wider one may hit the relief.
+// `depth` must come from the same fetch as the code (radius alone reads it).
+float relief_ratio(float code, float depth) {
 #if RELIEF_ENCODING == 0
-    return texel.b * relief_cone_max;
+    return code * relief_cone_max;
 #elif RELIEF_ENCODING == 1
-    return texel.b * texel.b * relief_cone_max;
+    return code * code * relief_cone_max;
 #elif RELIEF_ENCODING == 2
-    return texel.a > 0.0 ? texel.b / texel.a : relief_cone_max;
+    return depth > 0.0 ? code / depth : relief_cone_max;
 #else
-    return texel.b / sqrt(max(1.0 - texel.b * texel.b, 1e-12));
+    return code / sqrt(max(1.0 - code * code, 1e-12));
 #endif
+}
+
+// The texel that a sampler would read for an index outside the map.
+ivec2 relief_address(ivec2 texel) {
+    ivec2 size = textureSize(relief_map, 0);
+    ivec2 tile = ivec2(floor(vec2(texel) / vec2(size)));
+    ivec2 repeated = texel - tile * size;
+    ivec2 clamped = clamp(texel, ivec2(0, 0), size - 1);
+    return ivec2(relief_repeat.x == 1 ? repeated.x : clamped.x, relief_repeat.y == 1 ? repeated.y : clamped.y);
 }
 
 // Unit normal: x along +u, y up the image, z out of the relief.
@@ -69,3 +80,19 @@ struct ReliefHit {
     int fetches; // texture reads
     int status;
 };
+
+ReliefHit relief_start() {
+    ReliefHit hit;
+    hit.t = 0.0;
+    hit.gap = 0.0;
+    hit.steps = 0;
+    hit.fetches = 0;
+    hit.status = RELIEF_OUT_OF_STEPS;
+    return hit;
+}
+
+// Cosine of the angle between a ray and the polygon's normal, in the relief's true proportions.
+float relief_cosine(vec2 direction) {
+    float tangent = length(vec2(direction.x, relief_aspect * direction.y)) / relief_depth_scale;
+    return 1.0 / sqrt(1.0 + tangent * tangent);
+}

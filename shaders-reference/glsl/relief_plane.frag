@@ -37,7 +37,7 @@ void main() {
     if (any(lessThan(uv, plane_bounds.xy)) || any(greaterThan(uv, plane_bounds.zw))) return;
     ReliefRay ray;
     ray.origin = uv - floor(uv) * vec2(relief_repeat);
-    ray.direction = vec2(view.x, -view.y / relief_aspect) * (scene_depth_scale / -view.z);
+    ray.direction = vec2(view.x, -view.y / relief_aspect) * (relief_depth_scale / -view.z);
 
     ReliefHit hit = RELIEF_TRACE(ray);
     vec2 place = ray.origin + hit.t * ray.direction;
@@ -46,7 +46,7 @@ void main() {
     out_ray = vec4(ray.origin, ray.direction);
     out_colour = vec4(tone_map(shade_relief(place, normalize(view))), 1.0);
 
-    vec3 point = entry + view * (hit.t * scene_depth_scale / -view.z);
+    vec3 point = entry + view * (hit.t * relief_depth_scale / -view.z);
     float distance_ahead = dot(point - camera_eye, camera_forward);
     gl_FragDepth = clamp(camera_range.y * (1.0 - camera_range.x / distance_ahead) / (camera_range.y - camera_range.x), 0.0, 1.0);
 }

@@ -39,6 +39,8 @@ RenderOptions frame(const TexelGrid& grid, const ViewAngle& view, int rays, cons
     result.width = std::max(8, int(std::lround(std::sqrt(rays * aspect))));
     result.height = std::max(8, int(std::lround(std::sqrt(rays / aspect))));
     result.max_steps = options.max_steps;
+    result.linear_steps = options.linear_steps;
+    result.binary_steps = options.binary_steps;
     result.endless = endless;
     result.view = {view.angle, view.azimuth, narrow_field, 0};
     return result;
@@ -72,7 +74,9 @@ Result<double> largest_difference(const DepthMap& stored, const DepthMap& source
 Verdict judge(const ReliefMap& map, const ConeCheck& cones, const Comparison& rays) {
     if (cones.violations > 0) return Verdict::unsafe;
     if (rays.missed == 0) return Verdict::safe;
-    return map.info.surface == SurfaceModel::texel ? Verdict::not_conservative : Verdict::unsafe;
+    const bool promised = map.info.surface == SurfaceModel::bilinear &&
+                          (map.info.family == ConeFamily::conservative || map.info.rays == RelaxedRays::strict);
+    return promised ? Verdict::unsafe : Verdict::not_conservative;
 }
 
 } // namespace
@@ -99,7 +103,9 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     TightnessOptions tight;
     tight.crop = options.crop;
     tight.threads = options.threads;
-    if (tight.crop > 0) report.tightness = tightness(map, surface, tight);
+    // It compares with what one conservative, filtered cone a texel could be.
+    const bool comparable = map.info.kind == "cone" && map.info.family == ConeFamily::conservative && map.info.lookup == ConeLookup::filtered;
+    if (tight.crop > 0 && comparable) report.tightness = tightness(map, surface, tight);
 
     // What rays make of them.
     const std::vector<ViewAngle> views = view_angles();
@@ -107,6 +113,8 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     compare.threads = options.threads;
     compare.filter_delta = options.filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;
     compare.steepest = steepest_slope(surface);
+    // A hybrid step that nothing refines may end this deep; a refined one may not.
+    if (map.info.family == ConeFamily::hybrid && options.technique == Technique::cone) compare.allowed_depth = map.info.hybrid_delta;
     double oracle_seconds = 0;
     for (const ViewAngle& view : views) {
         const RenderOptions drawing = frame(map.grid, view, options.rays / int(views.size()), options);

@@ -20,7 +20,15 @@ struct Constraint {
     double distance = 0; ///< where it is attained, texture widths; 0: the limit towards the point (a gradient)
 };
 
-/// sup over 0 < s <= max_distance of (H(p + s heading) - H(p)) / s, and at least 0; p = (u, v). A conservative cone at p has
+/// Which points of the surface limit a cone, and where it stands.
+struct ConstraintRule {
+    double lift = 0;         ///< height of the apex above the surface
+    bool exits_only = false; ///< only points from which the surface falls, going on along the heading (relaxed cones)
+    double least_fall = 0;   ///< only falls steeper than this, height per texture width
+    bool from_top = false;   ///< only falls steeper than the ray to them from height 1 on the cone's axis (sampled, not exact)
+};
+
+/// sup over 0 < s <= max_distance of (H(p + s heading) - H(p) - lift) / s, and at least 0; p = (u, v). A conservative cone at p has
 /// ratio <= 1 / slope. Exact per crossed cell:
 ///
 ///     (a + b s + c s^2) / s  on [s0, s1]  is greatest at s0, at s1, or, for a < 0 and c < 0, at sqrt(a/c)
@@ -29,6 +37,6 @@ struct Constraint {
 /// on a repeated surface: nothing else ends a line that never rises.
 /// `at_least` is a slope already known: only steeper ones are sought (much faster), and slope 0 is the answer if none is.
 Constraint cone_constraint(const BilinearSurface& surface, double u, double v, const Heading& heading, double max_distance,
-                           double at_least = 0);
+                           double at_least = 0, const ConstraintRule& rule = {});
 
 } // namespace reliefbake

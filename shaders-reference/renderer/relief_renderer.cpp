@@ -1,8 +1,11 @@
 #include "shaders-reference/renderer/relief_renderer.h"
 
 #include "shaders-reference/renderer/gl_objects.h"
+#include "shaders-reference/renderer/max_mip.h"
 #include "shaders-reference/renderer/resolve.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -13,6 +16,9 @@ namespace {
 constexpr float endless_reach = 4096; ///< half the size of an endless plane, tiles: farther, float32 rays are too coarse
 constexpr GLint map_unit = 0;
 constexpr GLint given_unit = 1;
+constexpr GLint cones_unit = 2;   ///< and 3
+constexpr GLint max_mip_unit = 4;
+constexpr float widest_ratio = 1e6f; ///< for "no cap" (inf): finite, so that 0 times it is 0
 constexpr int planes = 4; ///< colour, hit, counts, ray
 
 struct CompiledProgram {
@@ -29,41 +35,89 @@ struct Target {
     GlFramebuffer framebuffer;
 };
 
-/// Interleaves the four channels as the texture's type; unorm values become integer codes of `full`.
+/// Four channels of a texture; a null one is 0 throughout.
+using Channels = std::array<const Image<float>*, 4>;
+
+/// Interleaves channels as the texture's type; unorm values become integer codes of `full`.
 template <class Code>
-std::vector<Code> interleave(const ReliefMap& map, float full) {
+std::vector<Code> interleave(const Channels& channels, std::size_t count, float full) {
     std::vector<Code> texels;
-    texels.reserve(map.depth.size() * 4);
+    texels.reserve(count * 4);
     const auto code = [full](float value) {
         if constexpr (std::is_floating_point_v<Code>) return value;
         else return Code(std::lround(value * full));
     };
-    for (std::size_t i = 0; i < map.depth.size(); ++i)
-        for (const Image<float>* channel : {&map.normal_x, &map.normal_y, &map.cone, &map.depth})
-            texels.push_back(code((*channel)[i]));
+    for (std::size_t i = 0; i < count; ++i)
+        for (const Image<float>* channel : channels) texels.push_back(channel ? code((*channel)[i]) : Code(0));
     return texels;
 }
 
 GLint gl_wrap(Wrap wrap) { return wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; }
 
-GlTexture upload(const GlFunctions& gl, const ReliefMap& map, SamplerFilter filter) {
-    const int width = map.grid.width;
-    const int height = map.grid.height;
+GlTexture upload(const GlFunctions& gl, const Channels& channels, const TexelGrid& grid, BitDepth bits, SamplerFilter filter) {
+    const std::size_t count = std::size_t(grid.width) * std::size_t(grid.height);
+    const auto texture_of = [&](const TextureFormat& format, const void* pixels) {
+        return make_texture(gl, format, grid.width, grid.height, pixels);
+    };
     GlTexture texture;
     if (filter == SamplerFilter::fixed8) {
-        texture = make_texture(gl, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, width, height,
-                               interleave<GLubyte>(map, 255).data());
-    } else if (is_unorm(map.info.bits)) {
-        texture = make_texture(gl, {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT}, width, height,
-                               interleave<GLushort>(map, 65535).data());
+        texture = texture_of({GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, interleave<GLubyte>(channels, count, 255).data());
+    } else if (is_unorm(bits)) {
+        texture = texture_of({GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT}, interleave<GLushort>(channels, count, 65535).data());
     } else {
-        texture = make_texture(gl, {GL_RGBA32F, GL_RGBA, GL_FLOAT}, width, height, interleave<GLfloat>(map, 1).data());
+        texture = texture_of({GL_RGBA32F, GL_RGBA, GL_FLOAT}, interleave<GLfloat>(channels, count, 1).data());
     }
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap(map.grid.wrap_x));
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, gl_wrap(map.grid.wrap_y));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap(grid.wrap_x));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, gl_wrap(grid.wrap_y));
     return texture;
+}
+
+const Image<float>* channel_or_null(const Image<float>& channel) { return channel.empty() ? nullptr : &channel; }
+
+/// (normal x, normal y, cone or nothing, depth). A map without normals is shaded as a flat one: its texture needs zeros
+/// that mean "flat", which unorm channels store as 0.5.
+GlTexture upload_map(const GlFunctions& gl, const ReliefMap& map, SamplerFilter filter) {
+    const bool no_normals = map.normal_x.empty() || map.normal_y.empty();
+    const Image<float> flat(no_normals ? map.grid.width : 1, no_normals ? map.grid.height : 1, is_unorm(map.info.bits) ? 0.5f : 0.0f);
+    return upload(gl, {no_normals ? &flat : &map.normal_x, no_normals ? &flat : &map.normal_y, channel_or_null(map.cone), &map.depth},
+                  map.grid, map.info.bits, filter);
+}
+
+/// Cone planes 4 `group` to 4 `group` + 3.
+GlTexture upload_cones(const GlFunctions& gl, const ReliefMap& map, std::size_t group, SamplerFilter filter) {
+    Channels channels{};
+    for (std::size_t k = 4 * group; k < std::min(4 * group + 4, map.cone_planes.size()); ++k) channels[k % 4] = &map.cone_planes[k];
+    return upload(gl, channels, map.grid, map.info.bits, filter);
+}
+
+GlTexture upload_max_mip(const GlFunctions& gl, const MaxMip& mip) {
+    const Image<float>& cells = mip.levels.front();
+    GlTexture texture = make_texture(gl, {GL_R32F, GL_RED, GL_FLOAT}, cells.width(), cells.height(), cells.data());
+    for (int k = 1; k <= mip.top(); ++k) {
+        const Image<float>& level = mip.levels[std::size_t(k)];
+        gl.TexImage2D(GL_TEXTURE_2D, k, GL_R32F, level.width(), level.height(), 0, GL_RED, GL_FLOAT, level.data());
+    }
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, mip.top());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    return texture;
+}
+
+/// What the map's cones do not serve.
+Result<void> check_served(const ShaderConfig& config, bool cones) {
+    const TechniqueInfo& technique = technique_info(config.technique);
+    const std::string name(technique.word);
+    if (technique.cones && !cones) return fail(ErrorCode::usage, "technique " + name + " needs cones; this map has none");
+    if (config.technique == Technique::cone_published && std::max(config.sectors, config.levels) > 1)
+        return fail(ErrorCode::usage, "technique " + name + " is for one cone a texel; this map has several");
+    if (config.technique == Technique::cone_raw && config.lookup == ConeLookup::cell)
+        return fail(ErrorCode::usage, "technique " + name + " is for cones of texels; this map's are of cells");
+    if (config.empty_cones) return {};
+    const char* const why = cones ? "; this map's cones are not" : "; this map has no cones";
+    if (config.shadow == Shadow::cone_soft) return fail(ErrorCode::usage, std::string("cone-soft shadows need conservative cones") + why);
+    if (config.ambient != Ambient::none) return fail(ErrorCode::usage, std::string("ambient occlusion needs conservative cones") + why);
+    return {};
 }
 
 /// OpenGL's first row is the picture's last.
@@ -102,6 +156,13 @@ struct ReliefRenderer::State {
     std::vector<CompiledProgram> programs;
     std::optional<Target> target;
     GlTexture map;
+    GlTexture cones[2];       ///< planes of maps with several cones a texel
+    GlTexture max_mip;        ///< made when a technique first asks for it
+    MaxMip max_mip_size;      ///< without its levels
+    int max_mip_top = 0;
+    Image<float> depth;       ///< what the max mip is made of
+    ShaderConfig decoder;     ///< of the map
+    bool has_cones = false;
     ReliefMapInfo info;
     TexelGrid grid;
     double delta = 0;
@@ -113,6 +174,7 @@ struct ReliefRenderer::State {
     Result<void> open(RendererBackend backend);
     Result<GLuint> program(const ShaderConfig& config);
     Result<void> prepare_target(int width, int height);
+    void prepare_max_mip();
     void set_uniforms(GLuint program, const RenderOptions& options) const;
     Image<Quad> read_plane(int index) const;
     Image<float> read_depth() const;
@@ -174,6 +236,15 @@ Result<void> ReliefRenderer::State::prepare_target(int width, int height) {
                                       std::to_string(height));
 }
 
+void ReliefRenderer::State::prepare_max_mip() {
+    if (max_mip.name()) return;
+    MaxMip mip = build_max_mip(depth, grid);
+    gl.ActiveTexture(GL_TEXTURE0 + max_mip_unit);
+    max_mip = upload_max_mip(gl, mip);
+    max_mip_top = mip.top();
+    max_mip_size.cells_x = mip.cells_x, max_mip_size.cells_y = mip.cells_y;
+}
+
 void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& options) const {
     const bool repeats = grid.wrap_x == Wrap::repeat && grid.wrap_y == Wrap::repeat;
     const int tiles = repeats ? options.tiles : 1;
@@ -183,7 +254,12 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     const Uniforms uniforms(gl, program);
     uniforms.set("relief_map", map_unit);
     uniforms.set("given_hits", given_unit);
-    uniforms.set("relief_cone_max", info.cone_max);
+    uniforms.set("relief_cones_0", cones_unit);
+    uniforms.set("relief_cones_1", cones_unit + 1);
+    uniforms.set("relief_max_mip", max_mip_unit);
+    uniforms.set("relief_mip_cells", max_mip_size.cells_x, max_mip_size.cells_y);
+    uniforms.set("relief_mip_top", max_mip_top);
+    uniforms.set("relief_cone_max", std::min(info.cone_max, widest_ratio));
     uniforms.set("relief_aspect", float(grid.aspect()));
     uniforms.set("relief_delta", float(delta));
     uniforms.set("relief_repeat", grid.wrap_x == Wrap::repeat, grid.wrap_y == Wrap::repeat);
@@ -191,7 +267,7 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     uniforms.set("relief_epsilon", options.epsilon);
     uniforms.set("relief_linear_steps", options.linear_steps);
     uniforms.set("relief_binary_steps", options.binary_steps);
-    uniforms.set("scene_depth_scale", float(info.depth_scale));
+    uniforms.set("relief_depth_scale", float(info.depth_scale));
     uniforms.set("scene_sun", sun_direction(options.sun, options.view));
     uniforms.set("scene_shadow_steps", options.shadow_steps);
     uniforms.set("camera_eye", camera.eye);
@@ -235,8 +311,17 @@ Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
     if (filter == SamplerFilter::fixed8 && map.info.bits != BitDepth::unorm8) {
         return fail(ErrorCode::usage, "--filter fixed8 tests 8-bit maps only; this map is not 8-bit");
     }
+    if (map.depth.empty()) return fail(ErrorCode::usage, std::string("the map has no depth channel"));
+    if (map.cone_planes.size() > 8)
+        return fail(ErrorCode::usage, "the renderer takes up to 8 sectors or levels; this map has " + std::to_string(map.cone_planes.size()));
     state_->context->make_current();
-    state_->map = upload(state_->gl, map, filter);
+    state_->map = upload_map(state_->gl, map, filter);
+    for (std::size_t group = 0; group < 2; ++group)
+        state_->cones[group] = map.cone_planes.size() > 4 * group ? upload_cones(state_->gl, map, group, filter) : GlTexture();
+    state_->max_mip = GlTexture();
+    state_->depth = map.depth;
+    state_->decoder = shader_config(map, Technique::cone, false);
+    state_->has_cones = has_cones(map);
     state_->info = map.info;
     state_->grid = map.grid;
     state_->delta = filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;
@@ -252,21 +337,33 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
         return fail(ErrorCode::usage, std::string("the picture, supersampled, must have 1 to ") + std::to_string(state.largest) +
                                           " pixels a side");
     }
+    ShaderConfig config = state.decoder;
+    config.technique = options.technique;
+    config.exact_finish = options.exact_finish;
+    config.shadow = options.shadow;
+    config.ambient = options.ambient.value_or(config.ambient);
+    if (Result<void> served = check_served(config, state.has_cones); !served) return tl::unexpected<Error>(served.error());
     state.context->make_current();
-    const Result<GLuint> program =
-        state.program(shader_config(state.info, options.technique, options.exact_finish));
+    const Result<GLuint> program = state.program(config);
     if (!program) return tl::unexpected<Error>(program.error());
     if (Result<void> ready = state.prepare_target(width, height); !ready) return tl::unexpected<Error>(ready.error());
 
-    // Bind the map, and the hits that were given.
+    // Bind the map, its cones, the pyramid, and the hits that were given.
+    if (options.technique == Technique::max_mip) state.prepare_max_mip();
+    const auto bind = [&gl](GLint unit, const GlTexture& texture) {
+        gl.ActiveTexture(GLenum(GL_TEXTURE0 + unit));
+        gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    };
+    bind(cones_unit, state.cones[0]);
+    bind(cones_unit + 1, state.cones[1]);
+    bind(max_mip_unit, state.max_mip);
     GlTexture given;
     gl.ActiveTexture(GL_TEXTURE0 + given_unit);
     if (options.given) {
         const Image<Quad> rows = flipped(*options.given);
         given = make_texture(gl, {GL_RGBA32F, GL_RGBA, GL_FLOAT}, rows.width(), rows.height(), rows.data());
     }
-    gl.ActiveTexture(GL_TEXTURE0 + map_unit);
-    gl.BindTexture(GL_TEXTURE_2D, state.map.name());
+    bind(map_unit, state.map);
 
     // Draw.
     const auto start = std::chrono::steady_clock::now();

@@ -13,7 +13,9 @@ using namespace reliefbake;
 namespace {
 
 SearchSurface surface_with(double pixel_aspect) {
-    return SearchSurface{{8, 8, Wrap::clamp, Wrap::clamp, pixel_aspect}, Metric::l2, SurfaceModel::bilinear, {}, 0.0f};
+    SearchSurface surface{};
+    surface.grid = {8, 8, Wrap::clamp, Wrap::clamp, pixel_aspect};
+    return surface;
 }
 
 /// Largest excess of the interpolant over the distance in the cell of displacements at (i, j), at n x n points.

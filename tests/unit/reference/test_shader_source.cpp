@@ -17,25 +17,36 @@ constexpr Prelude preludes[] = {Prelude::core330, Prelude::core450, Prelude::es3
 
 std::vector<ShaderConfig> configurations() {
     std::vector<ShaderConfig> all;
-    for (const Technique technique :
-         {Technique::cone, Technique::cone_published, Technique::linear, Technique::binary, Technique::given})
-        for (const bool exact : {false, true}) {
-            if (exact && technique != Technique::cone) continue;
-            ShaderConfig config;
-            config.technique = technique;
-            config.exact_finish = exact;
-            all.push_back(config);
-        }
-    for (const ConeEncoding encoding : {ConeEncoding::ratio, ConeEncoding::radius, ConeEncoding::normal}) {
+    const auto add = [&all](auto change) {
         ShaderConfig config;
-        config.encoding = encoding;
+        change(config);
         all.push_back(config);
-    }
-    ShaderConfig other;
-    other.metric = Metric::l1;
-    other.normal_unorm = false;
-    other.normal_y = NormalY::dx;
-    all.push_back(other);
+    };
+    for (const TechniqueInfo& info : all_techniques())
+        for (const bool exact : {false, true}) {
+            if (exact && info.technique != Technique::cone && info.technique != Technique::cone_raw) continue;
+            add([&](ShaderConfig& config) { config.technique = info.technique, config.exact_finish = exact; });
+        }
+
+    // Every way to keep cones, in every encoding, by the three lookups.
+    struct Kind {
+        int sectors, levels;
+    };
+    for (const Kind kind : {Kind{0, 1}, Kind{4, 1}, Kind{8, 1}, Kind{0, 2}, Kind{0, 4}, Kind{0, 8}})
+        for (const ConeEncoding encoding : {ConeEncoding::ratio, ConeEncoding::sqrt, ConeEncoding::radius, ConeEncoding::normal})
+            for (const int lookup : {0, 1, 2})
+                add([&](ShaderConfig& config) {
+                    config.sectors = kind.sectors, config.levels = kind.levels, config.encoding = encoding;
+                    if (lookup == 1) config.lookup = ConeLookup::cell;
+                    if (lookup == 2) config.technique = Technique::cone_raw;
+                    config.metric = kind.sectors == 4 ? Metric::l1 : Metric::l2;
+                });
+
+    for (const Shadow shadow : {Shadow::hard, Shadow::height_soft, Shadow::cone_soft})
+        for (const Ambient ambient : {Ambient::none, Ambient::cone, Ambient::cone_normal})
+            for (const bool empty : {false, true})
+                add([&](ShaderConfig& config) { config.shadow = shadow, config.ambient = ambient, config.empty_cones = empty; });
+    add([](ShaderConfig& config) { config.metric = Metric::l1, config.normal_unorm = false, config.normal_y = NormalY::dx; });
     return all;
 }
 
