@@ -26,7 +26,9 @@ float relief_ratio(float code, float depth) {
 #elif RELIEF_ENCODING == 1
     return code * code * relief_cone_max;
 #elif RELIEF_ENCODING == 2
-    return depth > 0.0 ? code / depth : relief_cone_max;
+    // A sampler that reads the depth too small by relief_delta would make the cone too wide.
+    float floor_depth = depth + relief_delta;
+    return floor_depth > 0.0 ? code / floor_depth : relief_cone_max;
 #else
     return code / sqrt(max(1.0 - code * code, 1e-12));
 #endif

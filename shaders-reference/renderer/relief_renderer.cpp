@@ -304,6 +304,7 @@ Result<ReliefRenderer> ReliefRenderer::create(RendererBackend backend) {
 }
 
 Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
+    if (map.depth.empty()) return fail(ErrorCode::usage, "the map has no depth channel: nothing can be drawn without one");
     if (std::max(map.grid.width, map.grid.height) > state_->largest) {
         return fail(ErrorCode::usage, std::string("the map is larger than the OpenGL driver's textures (") +
                                           std::to_string(state_->largest) + " texels a side)");
