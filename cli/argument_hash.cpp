@@ -39,6 +39,7 @@ std::string result_text(const ConePlan& plan) {
     text += "\ndelta=" + digits(plan.cone.hybrid_delta) + "\nlookup=" + word_of(lookup_words, plan.cone.lookup);
     text += "\nencoding=" + word_of(encoding_words, plan.given.encoding);
     text += "\nnormal-y=" + word_of(normal_y_words, plan.given.normal_y);
+    if (plan.given.mips) text += plan.given.trilinear ? "\nmips=trilinear" : "\nmips=nearest";
     return text + "\nlayout=" + word_of(layout_words, plan.layout) + "\n";
 }
 

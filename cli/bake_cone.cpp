@@ -2,6 +2,7 @@
 
 #include "bake/normal_map.h"
 #include "cli/assemble_map.h"
+#include "cli/bake_mips.h"
 #include "cli/cone_info.h"
 #include "cli/cone_report.h"
 #include "cli/cone_warnings.h"
@@ -103,6 +104,14 @@ Result<void> bake_planned(const ConeCommandOptions& options) {
 
     Result<StoredHeight> stored = read_depth(plan, clock);
     if (!stored) return tl::unexpected(stored.error());
+    if (given.mips) {
+        const Result<MipRun> mips = bake_mips(plan, stored->source, stored->depth, clock);
+        if (!mips) return tl::unexpected(mips.error());
+        clock.stop();
+        print({plan, stored->source, stored->report, mips->info, mips->levels[0].grid, mips->warnings, clock.seconds(),
+               mips->levels});
+        return {};
+    }
     DepthMap& depth = stored->depth;
     std::vector<ConeMap> cones = bake_timed_cones(depth, plan, clock);
     std::vector<EncodedConeMap> encoded = clock.time("encode", [&] {
@@ -129,7 +138,7 @@ Result<void> bake_planned(const ConeCommandOptions& options) {
         if (!beside) return beside;
     }
     clock.stop();
-    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds()});
+    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds(), {}});
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/bake_cone.h"
 #include "cli/choices.h"
+#include "cli/mip_options.h"
 
 #include <limits>
 
@@ -44,6 +45,7 @@ void ConeNormalCommand::add_to(CLI::App& app) {
     add_family_options(app, options_.family, true);
     add_output_options(app, options_);
     add_exr_layout_option(app, options_);
+    add_mip_options(app, options_);
 }
 
 Result<void> ConeNormalCommand::run() { return bake_planned(options_); }

@@ -2,6 +2,7 @@
 
 #include "cli/choices.h"
 #include "cli/length_option.h"
+#include "cli/mip_options.h"
 #include "cli/number_options.h"
 #include "cli/range_option.h"
 #include "cli/thread_option.h"
@@ -74,7 +75,7 @@ void add_exr_layout_option(CLI::App& app, ConeCommandOptions& o) {
 
 void add_output_options(CLI::App& app, ConeCommandOptions& o) {
     app.option_defaults()->group("Result");
-    app.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga")
+    app.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga .dds .ktx2")
         ->required()
         ->type_name("OUT");
     add_choice(app, "--bits", o.bits, bits_words, "Depth of the channels (default 16; exr: float; tga: 8)");
@@ -99,6 +100,7 @@ void add_cone_options(CLI::App& app, ConeCommandOptions& options) {
     add_output_options(app, options);
     add_encoding_option(app, options);
     add_exr_layout_option(app, options);
+    add_mip_options(app, options);
 }
 
 } // namespace reliefbake

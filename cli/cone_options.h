@@ -35,6 +35,8 @@ struct ConeCommandOptions {
     std::optional<double> depth_uv;     ///< --depth-uv
     std::optional<double> size_metres;  ///< --size
     std::optional<double> depth_metres; ///< --depth
+    bool mips = false;      ///< --mips: a chain of levels, each with heights and cones of its own
+    bool trilinear = false; ///< --trilinear: cones that hold under a blend of two levels
     bool json = false;
     bool quiet = false;
 };

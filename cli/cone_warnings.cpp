@@ -37,9 +37,10 @@ std::vector<std::string> cone_warnings(const ConeCommandOptions& given, const So
     if (source.srgb_tagged)
         warnings.push_back(given.input +
                            ": tagged sRGB, which heights are not; its codes are taken as they stand");
-    if (map_format_of(given.output) == MapFormat::targa)
-        warnings.push_back(given.output +
-                           ": TGA keeps no metadata; whoever reads the map must know what it means");
+    const Result<MapFormat> format = map_format_of(given.output);
+    if (format == MapFormat::targa || format == MapFormat::dds)
+        warnings.push_back(given.output + ": " + (format == MapFormat::dds ? "DDS" : "TGA") +
+                           " keeps no metadata; whoever reads the map must know what it means");
     std::size_t zero_codes = 0;
     for (const EncodedConeMap& map : encoded) zero_codes += map.zero_codes;
     if (zero_codes > 0)

@@ -1,6 +1,7 @@
 #include "cli/cone_options.h"
 
 #include "cli/argument_hash.h"
+#include "cli/mip_options.h"
 #include "cli/thread_option.h"
 #include "formats/map_file.h"
 
@@ -121,6 +122,7 @@ Result<ConePlan> plan_cone(const ConeCommandOptions& options) {
         .and_then([&] { return resolve_family(options.family, plan.cone); })
         .and_then([&] { return validate_cone_max(options, plan.bits); })
         .and_then([&] { return validate_depth_scale(plan.depth_scale); })
+        .and_then([&] { return validate_mips(options, plan.cone); })
         .and_then([&] { return validate_output_folder(options.output); })
         .and_then([&] { return resolve_threads(options.cone.threads); })
         .map([&](int threads) {

@@ -152,6 +152,10 @@ Result<MapFacts> map_facts(const ImageClaims& claims, bool is_targa, const MapHi
         return fail(ErrorCode::bad_data, name + ": says that it holds two images side by side, but its width is odd");
     facts.grid = {int(claims.width) / parts, int(claims.height), *metadata.wrap_x, *metadata.wrap_y,
                   metadata.pixel_aspect.value_or(1)};
+    if (hints.level > 0) {
+        facts.grid.pixel_aspect *= double(claims.top_height) / double(claims.top_width) * facts.grid.width / facts.grid.height;
+        facts.info.statistics.clear();
+    }
     return facts;
 }
 

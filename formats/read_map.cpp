@@ -86,7 +86,7 @@ Result<void> check_values(const ReliefMap& map, const std::string& name) {
 Result<MapFacts> read_first(const std::filesystem::path& path, const MapHints& hints, ReliefMap& map) {
     constexpr int usual_planes = 4;
     const std::string name = path.string();
-    Result<DecodeSession> session = DecodeSession::open(path, hints.max_bytes, usual_planes);
+    Result<DecodeSession> session = DecodeSession::open(path, hints.max_bytes, usual_planes, hints.level);
     if (!session) return tl::unexpected(session.error());
     Result<MapFacts> facts = map_facts(session->claims(), session->format() == ImageFormat::targa, hints, name);
     if (!facts) return facts;
@@ -104,7 +104,7 @@ Result<MapFacts> read_first(const std::filesystem::path& path, const MapHints& h
 /// The other file of a pair.
 Result<void> read_second(const std::filesystem::path& path, const LayoutImage& image, const MapHints& hints, ReliefMap& map) {
     const std::string name = path.string();
-    Result<DecodeSession> session = DecodeSession::open(path, hints.max_bytes, 4);
+    Result<DecodeSession> session = DecodeSession::open(path, hints.max_bytes, 4, hints.level);
     if (!session) return tl::unexpected(session.error());
     const Result<MapFacts> facts = map_facts(session->claims(), false, hints, name);
     if (!facts) return tl::unexpected(facts.error());

@@ -36,6 +36,7 @@ Result<void> take_relief(ReliefMap& map, const std::filesystem::path& path, cons
 
     MapHints relief_hints;
     relief_hints.max_bytes = hints.max_bytes;
+    relief_hints.level = hints.level;
     relief_hints.cones_suffice = true; // the kind is judged below, in clearer words
     Result<ReliefMap> relief = read_map(hints.relief, relief_hints);
     if (!relief) return tl::unexpected(relief.error());
