@@ -21,9 +21,13 @@ namespace {
 
 constexpr double seconds_per_peer = 0.5;
 
-Words<Simd> simd_words() {
-    Words<Simd> words;
-    for (Simd choice : available_simd()) words.emplace_back(to_string(choice), choice);
+/// Lives as long as the program: options keep a reference.
+const Words<Simd>& simd_words() {
+    static const Words<Simd> words = [] {
+        Words<Simd> all;
+        for (Simd choice : available_simd()) all.emplace_back(to_string(choice), choice);
+        return all;
+    }();
     return words;
 }
 
@@ -57,7 +61,7 @@ void BenchConeCommand::add_to(CLI::App& app) {
     app.option_defaults()->group("Subject");
     app.add_option("--channel", read_.channel, "Its channel (default: the only one, else luminance)")->needs(file);
     add_choice(app, "--input", height_.input, input_words, "What white means in it (default height)")->needs(file);
-    add_range_option(app, height_);
+    add_range_option(app, height_)->needs(file);
     add_wrap_option(app, height_.wrap_x, height_.wrap_y);
     app.add_option("--field", field_, "One synthetic field: ramp, pyramid, hill, saw-tooth, stairs, checkerboard, "
                                       "spike, noise, constant, fbm")

@@ -45,10 +45,12 @@ void VerifyCommand::add_to(CLI::App& app) {
     app.add_option("--pictures", options_.pictures, "Folder for pictures of every view: rendering, oracle, error, steps")
         ->type_name("DIR");
     app.option_defaults()->group("Source");
-    app.add_option("--source", options_.source, "Height map to compare the stored depth with")->type_name("HEIGHT");
-    app.add_option("--channel", options_.read.channel, "Its channel (default: the only one, else luminance)");
-    add_choice(app, "--input", options_.height.input, input_words, "What white means in it (default height)");
-    add_range_option(app, options_.height);
+    CLI::Option* source =
+        app.add_option("--source", options_.source, "Height map to compare the stored depth with")->type_name("HEIGHT");
+    for (CLI::Option* option : {app.add_option("--channel", options_.read.channel, "Its channel (default: the only one, else luminance)"),
+                                add_choice(app, "--input", options_.height.input, input_words, "What white means in it (default height)"),
+                                add_range_option(app, options_.height)})
+        option->needs(source);
     app.option_defaults()->group("Effort");
     app.add_option("--rays", options_.verify.rays, "Rays over all views, about (default 300000)")
         ->check(CLI::Range(100, 100000000));
@@ -82,6 +84,12 @@ Result<void> VerifyCommand::run() {
     if (!threads) return tl::unexpected(threads.error());
     options.threads = *threads;
     options.pictures = !options_.pictures.empty();
+    if (options.pictures) {
+        std::error_code ignored;
+        std::filesystem::create_directories(options_.pictures, ignored);
+        if (!std::filesystem::is_directory(options_.pictures, ignored))
+            return fail(ErrorCode::cannot_create, options_.pictures + ": cannot create this folder");
+    }
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
     const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, options.max_steps);
@@ -110,6 +118,9 @@ Result<void> VerifyCommand::run() {
         const Result<void> written = write_pictures(options_.pictures, *report);
         if (!written) return written;
     }
+    if (report->verdict == Verdict::other_source)
+        return fail(ErrorCode::verification, options_.file + ": its depth is not that of " + options_.source +
+                                                 ": give the options of the bake (--channel, --input, --range), or the right file");
     if (report->verdict != Verdict::unsafe) return {};
     return fail(ErrorCode::verification, options_.file + ": unsafe: bake it again, or see which metric, surface and "
                                                          "encoding it was made for (reliefbake explain)");

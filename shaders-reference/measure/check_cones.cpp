@@ -43,11 +43,14 @@ bool is_in_sector(const Heading& heading, int k, int n) {
     return (beyond >= -border && beyond <= 1 + border) || beyond - n >= -border || beyond + n <= 1 + border;
 }
 
+/// Falls below this, height per texture width, are rounding: of a heading beside an axis, of a position beside a wall.
+constexpr double level_enough = 1e-9;
+
 /// What the family lets no cone of plane k hold, at a point of this height.
 std::vector<ConstraintRule> rules_of(const ReliefMapInfo& info, int k, double height) {
     ConstraintRule exits;
     exits.exits_only = true;
-    exits.least_fall = info.rays == RelaxedRays::slope ? info.relaxed_slope : 0;
+    exits.least_fall = info.rays == RelaxedRays::slope ? info.relaxed_slope : level_enough;
     exits.from_top = info.rays == RelaxedRays::top;
     ConstraintRule all;
     if (info.kind == "cone-stack") all.lift = (1 - height) * k / info.planes;

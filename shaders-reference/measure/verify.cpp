@@ -83,6 +83,7 @@ Verdict judge(const ReliefMap& map, const ConeCheck& cones, const Comparison& ra
 
 Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) {
     VerifyReport report;
+    if (map.depth.empty()) return fail(ErrorCode::usage, "the map has no depth channel: there is no surface to judge by");
     const DepthMap depth = stored_depth(map);
     if (options.source) {
         const Result<double> difference = largest_difference(depth, *options.source);
@@ -99,12 +100,12 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     check.points = options.points;
     check.seed = options.seed;
     check.threads = options.threads;
-    report.cones = check_cones(map, surface, check);
+    if (has_cones(map)) report.cones = check_cones(map, surface, check);
     TightnessOptions tight;
     tight.crop = options.crop;
     tight.threads = options.threads;
     // It compares with what one conservative, filtered cone a texel could be.
-    const bool comparable = map.info.kind == "cone" && map.info.family == ConeFamily::conservative && map.info.lookup == ConeLookup::filtered;
+    const bool comparable = has_cones(map) && map.info.kind == "cone" && map.info.family == ConeFamily::conservative && map.info.lookup == ConeLookup::filtered;
     if (tight.crop > 0 && comparable) report.tightness = tightness(map, surface, tight);
 
     // What rays make of them.
@@ -135,6 +136,9 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     report.tolerance = report.total.tolerance_max;
     report.oracle_rays_per_second = oracle_seconds > 0 ? double(report.total.rays) / oracle_seconds : 0;
     report.verdict = judge(map, report.cones, report.total);
+    // Two roundings of the same height to codes.
+    const double rounding = is_unorm(map.info.bits) ? 1.5 / max_code(map.info.bits) : map.info.bits == BitDepth::half ? 1e-3 : 1e-6;
+    if (report.depth_difference && *report.depth_difference > rounding) report.verdict = Verdict::other_source;
     return report;
 }
 
