@@ -101,6 +101,15 @@ bool loses_cone(StoredCode code, double depth, ConeEncoding encoding) {
     return code == 0 && !(encoding == ConeEncoding::radius && depth == 0);
 }
 
+/// The depth that a decoder divides a radius by: its own texel's; or, fetched for a cell beside a filtered depth, any in the
+/// cell, of which the smallest makes the widest cone.
+double depth_for_code(const DepthMap& depth, ConeLookup lookup, int x, int y) {
+    if (lookup == ConeLookup::filtered) return depth.depth(x, y);
+    const TexelGrid& g = depth.grid;
+    const int right = g.address_x(x + 1), below = g.address_y(y + 1);
+    return std::min(std::min(depth.depth(x, y), depth.depth(right, y)), std::min(depth.depth(x, below), depth.depth(right, below)));
+}
+
 } // namespace
 
 double decode_ratio(double value, double depth, ConeEncoding encoding, double ratio_max) {
@@ -129,7 +138,7 @@ EncodedConeMap encode_cones(const ConeMap& cones, const DepthMap& depth, const E
     parallel_for(height, cones.options.threads, [&](int y) {
         std::size_t zeros = 0;
         for (int x = 0; x < width; ++x) {
-            const double here = depth.depth(x, y);
+            const double here = depth_for_code(depth, cones.options.lookup, x, y);
             const StoredCode code = encoder.encode(cones.ratio(x, y), here);
             map.value(x, y) = stored_value(code, options.bits);
             zeros += loses_cone(code, here, options.encoding);

@@ -70,23 +70,34 @@ class ConeBake {
         surface_.apex = std::move(apex);
         if (pyramid_.level_count() == 0) pyramid_ = build_max_pyramid(surface_.height, options_.threads);
         statistics_.seconds_pyramid += watch_.lap();
-        search(surface_, {surface_.height, no_distances_}, pyramid_, slopes);
+        raise(near_slopes(surface_, options_.threads), slopes);
+        statistics_.seconds_near += watch_.lap();
+        statistics_.node_tests +=
+            search_far_slopes(surface_, {surface_.height, {}}, pyramid_, options_.tolerance, options_.threads, slopes);
+        statistics_.seconds_search += watch_.lap();
         surface_.apex = {};
     }
 
-    /// Raises `slopes` by what lies in one sector of directions, or by its exits alone.
-    void search_sector(const Sector& sector, const std::optional<ExitRule>& exits, Image<float>& slopes) {
-        SearchSurface turned = surface_;
-        turned.height = flipped(surface_.height, sector.flip);
-        turned.wedge = sector.wedge;
-        turned.exits = exits;
-        turned.footprint = flipped(surface_.footprint, sector.flip);
-        slopes = flipped(slopes, sector.flip);
-        const ExitTexels seen = exits ? exit_texels(turned, options_.threads) : ExitTexels{turned.height, {}};
-        const MaxPyramid pyramid = build_max_pyramid(seen.height, options_.threads);
-        statistics_.seconds_pyramid += watch_.lap();
-        search(turned, {seen.height, seen.from}, pyramid, slopes);
-        slopes = flipped(slopes, sector.flip);
+    /// Raises `slopes` by what lies in each of some sectors of directions, or by its exits alone. The near surface of all comes
+    /// first: it spares the far searches most of their work.
+    void search_sectors(const std::vector<Sector>& sectors, const std::optional<ExitRule>& exits, Image<float>& slopes) {
+        std::vector<SearchSurface> turned;
+        for (const Sector& sector : sectors) {
+            turned.push_back(turned_surface(sector, exits));
+            raise(flipped(near_slopes(turned.back(), options_.threads), sector.flip), slopes);
+        }
+        statistics_.seconds_near += watch_.lap();
+        for (std::size_t k = 0; k < sectors.size(); ++k) {
+            const Image<float>& height = turned[k].height;
+            const ExitTexels seen = exits ? exit_texels(turned[k], options_.threads) : ExitTexels{};
+            const SearchTarget target{exits ? seen.height : height, seen.from};
+            const MaxPyramid pyramid = build_max_pyramid(target.height, options_.threads);
+            statistics_.seconds_pyramid += watch_.lap();
+            slopes = flipped(slopes, sectors[k].flip);
+            statistics_.node_tests += search_far_slopes(turned[k], target, pyramid, options_.tolerance, options_.threads, slopes);
+            slopes = flipped(slopes, sectors[k].flip);
+            statistics_.seconds_search += watch_.lap();
+        }
     }
 
     /// The slopes that a map starts from: those of the widest cone.
@@ -105,14 +116,19 @@ class ConeBake {
     }
 
   private:
-    void search(const SearchSurface& surface, const SearchTarget& target, const MaxPyramid& pyramid, Image<float>& slopes) {
-        const Image<float> near = near_slopes(surface, options_.threads);
-        parallel_for(near.height(), options_.threads, [&](int y) {
-            for (int x = 0; x < near.width(); ++x) slopes(x, y) = std::max(slopes(x, y), near(x, y));
+    SearchSurface turned_surface(const Sector& sector, const std::optional<ExitRule>& exits) const {
+        SearchSurface turned = surface_;
+        turned.height = flipped(surface_.height, sector.flip);
+        turned.wedge = sector.wedge;
+        turned.exits = exits;
+        turned.footprint = flipped(surface_.footprint, sector.flip);
+        return turned;
+    }
+
+    void raise(const Image<float>& by, Image<float>& slopes) const {
+        parallel_for(by.height(), options_.threads, [&](int y) {
+            for (int x = 0; x < by.width(); ++x) slopes(x, y) = std::max(slopes(x, y), by(x, y));
         });
-        statistics_.seconds_near += watch_.lap();
-        statistics_.node_tests += search_far_slopes(surface, target, pyramid, options_.tolerance, options_.threads, slopes);
-        statistics_.seconds_search += watch_.lap();
     }
 
     /// Without a cap, a texel that has nothing above its whole footprint gets an unbounded cone.
@@ -136,7 +152,6 @@ class ConeBake {
     Stopwatch watch_;
     SearchSurface surface_{};
     MaxPyramid pyramid_; ///< of all texels
-    const Image<float> no_distances_;
 };
 
 ExitRule exit_rule(const DepthMap& depth, const ConeOptions& options) {
@@ -153,12 +168,6 @@ Image<float> lifted(const SearchSurface& surface, float lift) {
     return apex;
 }
 
-/// Raises slopes by what the family asks for in one sector.
-void search_family_sector(ConeBake& bake, const DepthMap& depth, const ConeOptions& options, const Sector& sector, Image<float>& slopes) {
-    if (options.family == ConeFamily::conservative) return bake.search_sector(sector, std::nullopt, slopes);
-    bake.search_sector(sector, exit_rule(depth, options), slopes);
-}
-
 } // namespace
 
 ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics) {
@@ -168,7 +177,7 @@ ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatis
     ConeBake bake(depth, options, statistics ? *statistics : local);
     Image<float> slopes = bake.widest();
     if (options.family != ConeFamily::conservative)
-        for (const Sector& sector : sectors_of(4)) bake.search_sector(sector, exit_rule(depth, options), slopes);
+        bake.search_sectors(sectors_of(4), exit_rule(depth, options), slopes);
     if (options.family == ConeFamily::conservative) bake.search_all({}, slopes);
     if (options.family == ConeFamily::hybrid)
         bake.search_all(lifted(bake.surface(), options.hybrid_delta * float(max_code(depth.bits))), slopes);
@@ -180,10 +189,12 @@ std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const
     assert(options.family != ConeFamily::hybrid);
     ConeStatistics local;
     ConeBake bake(depth, options, statistics ? *statistics : local);
+    std::optional<ExitRule> exits;
+    if (options.family == ConeFamily::relaxed) exits = exit_rule(depth, options);
     std::vector<ConeMap> maps;
     for (const Sector& sector : sectors_of(sectors)) {
         Image<float> slopes = bake.widest();
-        search_family_sector(bake, depth, options, sector, slopes);
+        bake.search_sectors({sector}, exits, slopes);
         maps.push_back(bake.finish(std::move(slopes)));
     }
     return maps;

@@ -10,16 +10,20 @@ namespace reliefbake {
 void exit_falls(const SearchSurface& surface, const float* row0, const float* row1, int count, float* out) {
     const ExitRule& rule = *surface.exits;
     const float inverse_pitch = float(1 / surface.grid.pixel_aspect), infinity = std::numeric_limits<float>::infinity();
-    const bool l1 = surface.metric == Metric::l1;
+    const float least_sq = rule.least_fall * rule.least_fall;
+    // Steepest fall along x and y: every point of the cell falls between its edges. (Plain loops, for the compiler's vectors.)
+    const auto fall_x = [&](int x) { return std::max(std::max(row0[x] - row0[x + 1], row1[x] - row1[x + 1]), 0.0f); };
+    const auto fall_y = [&](int x) { return std::max(std::max(row0[x] - row1[x], row0[x + 1] - row1[x + 1]), 0.0f) * inverse_pitch; };
     for (int x = 0; x < count; ++x) {
-        // Steepest fall along x and y; every point of the cell falls between its edges.
-        const float fall_x = std::max({row0[x] - row0[x + 1], row1[x] - row1[x + 1], 0.0f});
-        const float fall_y = std::max({row0[x] - row1[x], row0[x + 1] - row1[x + 1], 0.0f}) * inverse_pitch;
-        const float steepest = std::sqrt(fall_x * fall_x + fall_y * fall_y);
-        const float fall = l1 ? std::max(fall_x, fall_y) : steepest; // in the lengths that cones are measured in
-        out[x] = steepest * (1 + 0x1p-20f) > rule.least_fall ? 0 : infinity;
-        if (!rule.from_top || !(out[x] < infinity)) continue;
-        // A ray from height 0 on the axis meets a point at height h and distance d with slope -h / d.
+        const float a = fall_x(x), b = fall_y(x), fall_sq = a * a + b * b;
+        out[x] = fall_sq * (1 + 0x1p-20f) > least_sq ? 0 : infinity;
+    }
+    if (!rule.from_top) return;
+    // A ray from height 0 on the axis meets a point at height h and distance d with slope -h / d.
+    const bool l1 = surface.metric == Metric::l1; // falls, too, are counted in the lengths of the metric
+    for (int x = 0; x < count; ++x) {
+        if (std::isinf(out[x])) continue;
+        const float a = fall_x(x), b = fall_y(x), fall = l1 ? std::max(a, b) : std::sqrt(a * a + b * b);
         const float highest = std::max(std::max(row0[x], row0[x + 1]), std::max(row1[x], row1[x + 1]));
         out[x] = -highest / fall * (1 - 0x1p-20f);
     }

@@ -25,7 +25,10 @@ std::string position_text(int x, int y) {
     return std::string("(").append(std::to_string(x)).append(", ").append(std::to_string(y)).append(")");
 }
 
-Result<void> validate_options(const HeightOptions& options, const std::string& name) {
+Result<void> validate_options(const HeightOptions& options, bool source_is_integer, const std::string& name) {
+    if (source_is_integer && options.range == RangeMode::fixed && (options.range_low < 0 || options.range_high > 1))
+        return fail(ErrorCode::usage, name + ": range: integer samples run from 0 to 1 (code / largest code), found " +
+                                          number_text(options.range_low) + ":" + number_text(options.range_high));
     if (options.range == RangeMode::fixed && !(options.range_low < options.range_high))
         return fail(ErrorCode::usage, name + ": range: expected a low value below the high one, found " +
                                           number_text(options.range_low) + ":" +
@@ -128,7 +131,7 @@ class HeightFieldBuilder {
 
 Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer,
                                         const HeightOptions& options, const std::string& name) {
-    if (Result<void> valid = validate_options(options, name); !valid) return tl::unexpected(valid.error());
+    if (Result<void> valid = validate_options(options, source_is_integer, name); !valid) return tl::unexpected(valid.error());
     // Make every sample finite.
     HeightReport report;
     Result<Image<float>> plane = validate_samples(source, options, name, report);

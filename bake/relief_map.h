@@ -12,7 +12,13 @@
 namespace reliefbake {
 
 enum class NormalY { gl, dx };
-enum class ChannelLayout { rgba, named }; ///< RGBA, or EXR channels relief.nx, relief.ny, relief.cone, relief.depth
+/// How the planes lie in image files (formats/map_layout.h).
+enum class ChannelLayout {
+    rgba,  ///< one RGBA image
+    named, ///< one EXR with channels relief.nx, relief.ny, relief.depth, relief.cone or cone4.s0, cone8.s0, stack.k0, ...
+    side,  ///< eight sectors: two RGBA images side by side in one (002 sec. II-D)
+    pair,  ///< eight sectors: two RGBA files
+};
 
 /// The meaning of a map; stored as metadata, printed by `explain`. Keys of `explain --json` are these names.
 struct ReliefMapInfo {
@@ -22,6 +28,9 @@ struct ReliefMapInfo {
     double relaxed_slope = 0;   ///< RelaxedRays::slope
     double hybrid_delta = 0;    ///< hybrid
     ConeLookup lookup = ConeLookup::filtered;
+    int planes = 0;             ///< kinds "acm", "cone-stack": number of ReliefMap::cone_planes
+    int levels = 1;             ///< mip levels in the file; every other fact is that of level 0, filter_delta of all
+    bool trilinear = false;     ///< cones hold under a blend of two adjacent levels too (bake/trilinear.h)
     Metric metric = Metric::l2;
     ConeEncoding encoding = ConeEncoding::sqrt;
     BitDepth bits = BitDepth::unorm8;

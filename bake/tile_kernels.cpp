@@ -17,6 +17,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = HWY_CAPPED(float, 8);
 using V = hn::Vec<D>;
 
+/// Which displacements count: all, those of one quadrant, those of a wedge in it.
+enum class Mode { all, quadrant, wedge };
+
 /// The nearest image of a displacement along an axis of this period (+inf: there is one image).
 HWY_INLINE V NearestImage(V e, float period) {
     const D d;
@@ -30,15 +33,15 @@ HWY_INLINE float NearestImage(float e, float period) {
 
 /// Displacement from a texel to a box centre, for the image of the box that counts: the nearest; or, directed, the first that
 /// does not lie wholly behind the texel.
-template <bool kDirected>
+template <Mode kMode>
 HWY_INLINE V Towards(V e, float half, float period) {
-    if (!kDirected) return NearestImage(e, period);
+    if (kMode == Mode::all) return NearestImage(e, period);
     const D d;
     return hn::IfThenElse(hn::Lt(e, hn::Set(d, -half)), hn::Add(e, hn::Set(d, period)), e);
 }
-template <bool kDirected>
+template <Mode kMode>
 HWY_INLINE float Towards(float e, float half, float period) {
-    if (!kDirected) return NearestImage(e, period);
+    if (kMode == Mode::all) return NearestImage(e, period);
     return e < -half ? e + period : e;
 }
 
@@ -73,13 +76,13 @@ HWY_INLINE auto Exceeds(V rise, V slope, V reach) {
 
 /// Least distances along x and y from a texel to a box: (ex, ey) to its centre, y scaled by the aspect. In a wedge, a box that
 /// lies outside counts from its next image, and from where that is inside.
-template <class DX, class VX>
+template <Mode kMode, class DX, class VX>
 HWY_INLINE void WedgeGaps(DX d, const SearchSpace& space, VX ex, VX ey, VX half_x, VX half_y, VX images_x, VX images_y, VX& dx,
                           VX& dy) {
     const auto zero = hn::Zero(d), step_x = hn::Set(d, space.step), step_y = hn::Set(d, space.step * space.aspect);
     const auto low_x = hn::Sub(ex, half_x), low_y = hn::Sub(ey, half_y);
     dx = hn::Max(low_x, zero), dy = hn::Max(low_y, zero);
-    if (!space.wedged) return;
+    if (kMode != Mode::wedge) return;
     const float slack = 1e-3f; // texels, more than rounding can misplace a box
     if (space.t1 < 1e30f) {
         const auto needed = hn::Sub(hn::Sub(hn::Mul(hn::Sub(dy, step_y), hn::Set(d, 1 / space.t1)), step_x), hn::Set(d, slack));
@@ -95,7 +98,6 @@ HWY_INLINE void WedgeGaps(DX d, const SearchSpace& space, VX ex, VX ey, VX half_
 
 /// The displacement (dx, dy) to a texel's first image in the wedge; y scaled by the aspect.
 HWY_INLINE void WedgeImage(const SearchSpace& space, const Opponent& texel, V& dx, V& dy) {
-    if (!space.wedged) return;
     const D d;
     const float slack = 1e-3f;
     const V one = hn::Set(d, 1.0f);
@@ -115,13 +117,13 @@ HWY_INLINE void WedgeImage(const SearchSpace& space, const Opponent& texel, V& d
 
 /// Whether a box of this height may matter to any texel of a strip's columns: the first, cheap test.
 /// `dx`: distance along x to the box, whose centre and half extent along y are given.
-template <bool kL1, bool kDirected>
+template <bool kL1, Mode kMode>
 HWY_INLINE bool StripNeeds(const SearchSpace& space, const Tile& tile, int strip, int i, const PyramidNode& node, V dx,
                            V factor) {
     const D d;
     const float half = node.half_y + 0.5f * (strip_rows - 1);
-    const float ey = Towards<kDirected>(node.cy - (tile.y[strip * strip_rows] + 0.5f * (strip_rows - 1)), half, space.period_y);
-    const float gap = (kDirected ? ey : std::fabs(ey)) - half;
+    const float ey = Towards<kMode>(node.cy - (tile.y[strip * strip_rows] + 0.5f * (strip_rows - 1)), half, space.period_y);
+    const float gap = (kMode != Mode::all ? ey : std::fabs(ey)) - half;
     const V reach = Reach<kL1>(space, dx, hn::Set(d, std::max(gap, 0.0f) * space.aspect));
     const V lowest = hn::Load(d, tile.strip_lowest + strip * tile_size + i);
     const V need = hn::Mul(hn::Load(d, tile.strip_need + strip * tile_size + i), factor);
@@ -133,7 +135,7 @@ HWY_INLINE bool StripNeeds(const SearchSpace& space, const Tile& tile, int strip
 /// linear, and need |v| >= need u.v for any u no longer than 1 (u: from centre to centre), so that
 ///     need |v| - (rise from p to q) >= need u.e - (plane - floor) - |need u - g_node|.half_node - |need u - g_tile|.half_tile
 /// over all texels p of the tile and q = p + v of the node.
-template <bool kL1, bool kDirected>
+template <bool kL1, Mode kMode>
 std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const PyramidQuad& quad, const QuadPlace& place,
                         float least_need, QuadBounds& bounds) {
     const HWY_CAPPED(float, 4) d;
@@ -152,8 +154,8 @@ std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const Pyrami
         // The maximum.
         const auto both_x = hn::Add(half_x, tile_x), both_y = hn::Add(half_y, tile_y);
         auto gap_x = hn::Max(hn::Sub(hn::Abs(ex), both_x), zero), gap_y = hn::Max(hn::Sub(hn::Abs(ey), both_y), zero);
-        if (kDirected)
-            WedgeGaps(d, space, ex, ey, both_x, both_y, column(place.images_x), hn::Mul(row(place.images_y), hn::Set(d, space.aspect)),
+        if (kMode != Mode::all)
+            WedgeGaps<kMode>(d, space, ex, ey, both_x, both_y, column(place.images_x), hn::Mul(row(place.images_y), hn::Set(d, space.aspect)),
                       gap_x, gap_y);
         const auto sum = hn::Add(gap_x, gap_y);
         const auto gap_sq = kL1 ? hn::Mul(sum, sum) : hn::Add(hn::Mul(gap_x, gap_x), hn::Mul(gap_y, gap_y));
@@ -177,7 +179,8 @@ std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const Pyrami
         const auto tile_spread = spread(hn::Set(d, tile.gx), hn::Mul(hn::Set(d, tile.gy), inverse_aspect), tile_x, tile_y);
         const auto spare = hn::Sub(reach, hn::Sub(hn::Load(d, quad.plane + c), hn::Set(d, tile.floor)));
         const auto one_image =
-            kDirected ? hn::And(hn::Ge(ex, both_x), hn::Ge(ey, both_y))
+            kMode != Mode::all ? hn::And(hn::Le(hn::Sub(both_x, ex), hn::Set(d, 0.5f * space.period_x)),
+                                hn::Le(hn::Sub(both_y, ey), hn::Set(d, 0.5f * space.period_y * space.aspect)))
                       : hn::And(hn::Le(hn::Add(hn::Abs(ex), both_x), hn::Set(d, 0.5f * space.period_x)),
                                 hn::Le(hn::Add(hn::Abs(ey), both_y), hn::Set(d, 0.5f * space.period_y * space.aspect)));
         const auto held = hn::And(hn::Ge(spare, hn::Add(node_spread, tile_spread)), one_image);
@@ -190,20 +193,21 @@ std::uint32_t QuadNeeds(const SearchSpace& space, const Tile& tile, const Pyrami
 }
 
 /// Whether any texel of the tile may need the node. `shrink`: least ratio of deflated to plain distance between them.
-template <bool kL1, bool kDirected>
+template <bool kL1, Mode kMode>
 bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& node, float shrink) {
     const D d;
     const V factor = hn::Set(d, space.tolerance_factor), zero = hn::Zero(d);
     const V half_x = hn::Set(d, node.half_x), half_y = hn::Set(d, node.half_y * space.aspect);
     const V gx = hn::Set(d, node.gx), gy = hn::Set(d, node.gy / space.aspect);
     for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
-        const V ex = Towards<kDirected>(hn::Sub(hn::Set(d, node.cx), hn::Load(d, tile.x + i)), node.half_x, space.period_x);
-        const V dx = hn::Max(hn::Sub(kDirected ? ex : hn::Abs(ex), half_x), zero);
-        // The plane is meant for one image of the node: not where another one may be as near.
-        const auto one_image = kDirected ? hn::Ge(ex, half_x)
+        const V ex = Towards<kMode>(hn::Sub(hn::Set(d, node.cx), hn::Load(d, tile.x + i)), node.half_x, space.period_x);
+        const V dx = hn::Max(hn::Sub(kMode != Mode::all ? ex : hn::Abs(ex), half_x), zero);
+        // The plane is meant for one image of the node: not where another one may be nearer. Directed, texels of the node that
+        // lie behind count from their next image, which is farther than this one while they lie less than half a period back.
+        const auto one_image = kMode != Mode::all ? hn::Le(hn::Sub(half_x, ex), hn::Set(d, 0.5f * space.period_x))
                                          : hn::Le(hn::Add(hn::Abs(ex), half_x), hn::Set(d, 0.5f * space.period_x));
         for (int j = 0; j < tile_size; ++j) {
-            if (j % strip_rows == 0 && !StripNeeds<kL1, kDirected>(space, tile, j / strip_rows, i, node, dx, factor)) {
+            if (j % strip_rows == 0 && !StripNeeds<kL1, kMode>(space, tile, j / strip_rows, i, node, dx, factor)) {
                 j += strip_rows - 1;
                 continue;
             }
@@ -211,17 +215,17 @@ bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& no
             const int at = j * tile_size + i;
             const V need = hn::Mul(hn::Load(d, tile.need + at), factor);
             const V height = hn::Load(d, tile.height + at);
-            const float ey = Towards<kDirected>(node.cy - tile.y[j], node.half_y, space.period_y);
-            V gap_x = dx, gap_y = hn::Set(d, std::max((kDirected ? ey : std::fabs(ey)) - node.half_y, 0.0f) * space.aspect);
-            if (kDirected && space.wedged)
-                WedgeGaps(d, space, ex, hn::Set(d, ey * space.aspect), half_x, half_y, hn::Set(d, space.images_x(node.cx + node.half_x)),
+            const float ey = Towards<kMode>(node.cy - tile.y[j], node.half_y, space.period_y);
+            V gap_x = dx, gap_y = hn::Set(d, std::max((kMode != Mode::all ? ey : std::fabs(ey)) - node.half_y, 0.0f) * space.aspect);
+            if (kMode == Mode::wedge)
+                WedgeGaps<kMode>(d, space, ex, hn::Set(d, ey * space.aspect), half_x, half_y, hn::Set(d, space.images_x(node.cx + node.half_x)),
                           hn::Set(d, space.images_y(node.cy + node.half_y) * space.aspect), gap_x, gap_y);
             const V rise = hn::Max(hn::Sub(hn::Set(d, node.max), height), zero);
             auto matters = Exceeds<kL1>(rise, need, Reach<kL1>(space, gap_x, gap_y));
             if (hn::AllFalse(d, matters)) continue;
             // The plane: F(v) = need |v| - (rise of the plane at v) is convex in v, so its tangent at the node's
             // centre bounds it from below over the whole node.
-            if (kDirected ? ey >= node.half_y : std::fabs(ey) + node.half_y <= 0.5f * space.period_y) {
+            if (kMode != Mode::all ? node.half_y - ey <= 0.5f * space.period_y : std::fabs(ey) + node.half_y <= 0.5f * space.period_y) {
                 const V vy = hn::Set(d, ey * space.aspect);
                 const V distance = Length<kL1>(ex, vy);
                 const V slope = hn::Mul(need, hn::Set(d, shrink));
@@ -239,28 +243,36 @@ bool TileNeeds(const SearchSpace& space, const Tile& tile, const PyramidNode& no
 }
 
 /// Absolute displacements from the lanes of a tile row to a texel; y scaled by the aspect.
-template <bool kDirected>
+template <Mode kMode>
 HWY_INLINE void Displacements(const SearchSpace& space, V lanes_x, float lane_y, const Opponent& texel, V& dx, V& dy) {
     const D d;
-    dx = Towards<kDirected>(hn::Sub(hn::Set(d, texel.x), lanes_x), 0, space.period_x);
-    const float ey = Towards<kDirected>(texel.y - lane_y, 0, space.period_y);
-    if (!kDirected) dx = hn::Abs(dx);
+    dx = Towards<kMode>(hn::Sub(hn::Set(d, texel.x), lanes_x), 0, space.period_x);
+    const float ey = Towards<kMode>(texel.y - lane_y, 0, space.period_y);
+    if (kMode == Mode::all) dx = hn::Abs(dx);
     dy = hn::Set(d, std::fabs(ey) * space.aspect);
-    if (kDirected) WedgeImage(space, texel, dx, dy);
+    if (kMode == Mode::wedge) WedgeImage(space, texel, dx, dy);
 }
 
 /// Whether a texel may raise any need of the tile: cheap, and true too often for near texels only.
-template <bool kL1, bool kDirected>
+template <bool kL1, Mode kMode>
 HWY_INLINE bool MayRaise(const SearchSpace& space, const Tile& tile, const Opponent& texel) {
     const D d;
     const V high = hn::Set(d, texel.height), deflation = hn::Set(d, space.deflation);
     for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
         const V lanes_x = hn::Load(d, tile.x + i);
+        V dx, dy;
+        Displacements<kMode>(space, lanes_x, tile.y[0], texel, dx, dy);
+        const V along = kL1 ? dx : hn::Sub(hn::Mul(dx, dx), deflation); // of every row, but in a wedge
         auto better = hn::Gt(high, high);
         for (int j = 0; j < tile_size; ++j) {
-            V dx, dy;
-            Displacements<kDirected>(space, lanes_x, tile.y[j], texel, dx, dy);
-            const V reach = kL1 ? hn::Add(dx, dy) : hn::Sub(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), deflation);
+            V reach;
+            if (kMode == Mode::wedge) {
+                Displacements<kMode>(space, lanes_x, tile.y[j], texel, dx, dy);
+                reach = kL1 ? hn::Add(dx, dy) : hn::Sub(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), deflation);
+            } else {
+                const float y = std::fabs(Towards<kMode>(texel.y - tile.y[j], 0, space.period_y)) * space.aspect;
+                reach = hn::Add(along, hn::Set(d, kL1 ? y : y * y));
+            }
             const V rise = hn::Max(hn::Sub(high, hn::Load(d, tile.height + j * tile_size + i)), hn::Zero(d));
             better = hn::Or(better, Exceeds<kL1>(rise, hn::Load(d, tile.need + j * tile_size + i), reach));
         }
@@ -270,9 +282,9 @@ HWY_INLINE bool MayRaise(const SearchSpace& space, const Tile& tile, const Oppon
 }
 
 /// Compares one texel with the whole tile and keeps what it asks for. Returns whether anything was raised.
-template <bool kL1, bool kDirected>
+template <bool kL1, Mode kMode>
 bool CompareTexel(const SearchSpace& space, Tile& tile, const Opponent& texel) {
-    if (!MayRaise<kL1, kDirected>(space, tile, texel)) return false;
+    if (!MayRaise<kL1, kMode>(space, tile, texel)) return false;
     const D d;
     bool raised = false;
     const float near = float(near_radius) + 0.5f;
@@ -280,7 +292,7 @@ bool CompareTexel(const SearchSpace& space, Tile& tile, const Opponent& texel) {
         for (int j = 0; j < tile_size; ++j) {
             const int at = j * tile_size + i;
             V dx, dy;
-            Displacements<kDirected>(space, hn::Load(d, tile.x + i), tile.y[j], texel, dx, dy);
+            Displacements<kMode>(space, hn::Load(d, tile.x + i), tile.y[j], texel, dx, dy);
             const V need = hn::Load(d, tile.need + at);
             const V rise = hn::Max(hn::Sub(hn::Set(d, texel.height), hn::Load(d, tile.height + at)), hn::Zero(d));
             const V reach = Reach<kL1>(space, dx, dy);
@@ -301,7 +313,7 @@ bool CompareTexel(const SearchSpace& space, Tile& tile, const Opponent& texel) {
 }
 
 /// Texels of a leaf that may exceed the tile's least need, as bits, row by row.
-template <bool kDirected>
+template <Mode kMode>
 std::uint32_t LeafCandidatesOf(const SearchSpace& space, const Tile& tile, const LeafTexels& leaf, float threshold) {
     const HWY_CAPPED(float, MaxPyramid::leaf_size) d;
     static_assert(MaxPyramid::leaf_size == 4);
@@ -309,12 +321,12 @@ std::uint32_t LeafCandidatesOf(const SearchSpace& space, const Tile& tile, const
     for (int i = 0; i < MaxPyramid::leaf_size; i += int(hn::Lanes(d))) {
         const auto period = hn::Set(d, space.period_x), half = hn::Set(d, tile.half_x);
         auto dx = hn::Sub(hn::Iota(d, leaf.x + float(i)), hn::Set(d, tile.centre_x));
-        if (kDirected) dx = hn::IfThenElse(hn::Lt(hn::Add(dx, half), hn::Zero(d)), hn::Add(dx, period), dx);
+        if (kMode != Mode::all) dx = hn::IfThenElse(hn::Lt(hn::Add(dx, half), hn::Zero(d)), hn::Add(dx, period), dx);
         else dx = hn::Abs(dx), dx = hn::Min(dx, hn::Sub(period, dx));
         dx = hn::Max(hn::Sub(dx, half), hn::Zero(d));
         for (int j = 0; j < MaxPyramid::leaf_size; ++j) {
             float dy = leaf.y + float(j) - tile.centre_y;
-            if (kDirected) dy = dy + tile.half_y < 0 ? dy + space.period_y : dy;
+            if (kMode != Mode::all) dy = dy + tile.half_y < 0 ? dy + space.period_y : dy;
             else dy = std::fabs(dy), dy = std::min(dy, space.period_y - dy);
             dy = std::max(dy - tile.half_y, 0.0f) * space.aspect;
             const auto height = hn::Load(d, leaf.height + j * MaxPyramid::leaf_size + i);
@@ -346,35 +358,49 @@ float SummariseNeeds(Tile& tile) {
 }
 
 std::uint32_t QuadNeedsL2(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<false, false>(s, t, q, p, need, b);
+    return QuadNeeds<false, Mode::all>(s, t, q, p, need, b);
 }
 bool TileNeedsL2(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<false, false>(s, t, n, shrink);
+    return TileNeeds<false, Mode::all>(s, t, n, shrink);
 }
-bool CompareTexelL2(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, false>(s, t, texel); }
-std::uint32_t QuadNeedsL2Directed(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<false, true>(s, t, q, p, need, b);
+bool CompareTexelL2(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::all>(s, t, texel); }
+std::uint32_t QuadNeedsL2Quadrant(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<false, Mode::quadrant>(s, t, q, p, need, b);
 }
-bool TileNeedsL2Directed(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<false, true>(s, t, n, shrink);
+bool TileNeedsL2Quadrant(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<false, Mode::quadrant>(s, t, n, shrink);
 }
-bool CompareTexelL2Directed(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, true>(s, t, texel); }
+bool CompareTexelL2Quadrant(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::quadrant>(s, t, texel); }
+std::uint32_t QuadNeedsL2Wedge(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<false, Mode::wedge>(s, t, q, p, need, b);
+}
+bool TileNeedsL2Wedge(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<false, Mode::wedge>(s, t, n, shrink);
+}
+bool CompareTexelL2Wedge(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::wedge>(s, t, texel); }
 std::uint32_t QuadNeedsL1(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<true, false>(s, t, q, p, need, b);
+    return QuadNeeds<true, Mode::all>(s, t, q, p, need, b);
 }
 bool TileNeedsL1(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<true, false>(s, t, n, shrink);
+    return TileNeeds<true, Mode::all>(s, t, n, shrink);
 }
-bool CompareTexelL1(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, false>(s, t, texel); }
-std::uint32_t QuadNeedsL1Directed(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<true, true>(s, t, q, p, need, b);
+bool CompareTexelL1(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::all>(s, t, texel); }
+std::uint32_t QuadNeedsL1Quadrant(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<true, Mode::quadrant>(s, t, q, p, need, b);
 }
-bool TileNeedsL1Directed(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<true, true>(s, t, n, shrink);
+bool TileNeedsL1Quadrant(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<true, Mode::quadrant>(s, t, n, shrink);
 }
-bool CompareTexelL1Directed(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, true>(s, t, texel); }
+bool CompareTexelL1Quadrant(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::quadrant>(s, t, texel); }
+std::uint32_t QuadNeedsL1Wedge(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
+    return QuadNeeds<true, Mode::wedge>(s, t, q, p, need, b);
+}
+bool TileNeedsL1Wedge(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
+    return TileNeeds<true, Mode::wedge>(s, t, n, shrink);
+}
+bool CompareTexelL1Wedge(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::wedge>(s, t, texel); }
 std::uint32_t LeafCandidates(const SearchSpace& s, const Tile& t, const LeafTexels& leaf, float threshold) {
-    return s.directed ? LeafCandidatesOf<true>(s, t, leaf, threshold) : LeafCandidatesOf<false>(s, t, leaf, threshold);
+    return s.directed ? LeafCandidatesOf<Mode::quadrant>(s, t, leaf, threshold) : LeafCandidatesOf<Mode::all>(s, t, leaf, threshold);
 }
 
 } // namespace HWY_NAMESPACE
@@ -386,15 +412,21 @@ namespace reliefbake {
 HWY_EXPORT(QuadNeedsL2);
 HWY_EXPORT(TileNeedsL2);
 HWY_EXPORT(CompareTexelL2);
-HWY_EXPORT(QuadNeedsL2Directed);
-HWY_EXPORT(TileNeedsL2Directed);
-HWY_EXPORT(CompareTexelL2Directed);
+HWY_EXPORT(QuadNeedsL2Quadrant);
+HWY_EXPORT(TileNeedsL2Quadrant);
+HWY_EXPORT(CompareTexelL2Quadrant);
+HWY_EXPORT(QuadNeedsL2Wedge);
+HWY_EXPORT(TileNeedsL2Wedge);
+HWY_EXPORT(CompareTexelL2Wedge);
 HWY_EXPORT(QuadNeedsL1);
 HWY_EXPORT(TileNeedsL1);
 HWY_EXPORT(CompareTexelL1);
-HWY_EXPORT(QuadNeedsL1Directed);
-HWY_EXPORT(TileNeedsL1Directed);
-HWY_EXPORT(CompareTexelL1Directed);
+HWY_EXPORT(QuadNeedsL1Quadrant);
+HWY_EXPORT(TileNeedsL1Quadrant);
+HWY_EXPORT(CompareTexelL1Quadrant);
+HWY_EXPORT(QuadNeedsL1Wedge);
+HWY_EXPORT(TileNeedsL1Wedge);
+HWY_EXPORT(CompareTexelL1Wedge);
 HWY_EXPORT(SummariseNeeds);
 HWY_EXPORT(LeafCandidates);
 
@@ -407,9 +439,11 @@ TileKernels tile_kernels(const SearchSpace& space) {
     kernels.quad_needs = &HWY_DYNAMIC_DISPATCH(QuadNeeds##Kind);     \
     kernels.tile_needs = &HWY_DYNAMIC_DISPATCH(TileNeeds##Kind);     \
     kernels.compare_texel = &HWY_DYNAMIC_DISPATCH(CompareTexel##Kind)
-    if (space.l1 && space.directed) { RELIEFBAKE_CHOOSE(L1Directed); }
+    if (space.l1 && space.wedged) { RELIEFBAKE_CHOOSE(L1Wedge); }
+    else if (space.l1 && space.directed) { RELIEFBAKE_CHOOSE(L1Quadrant); }
     else if (space.l1) { RELIEFBAKE_CHOOSE(L1); }
-    else if (space.directed) { RELIEFBAKE_CHOOSE(L2Directed); }
+    else if (space.wedged) { RELIEFBAKE_CHOOSE(L2Wedge); }
+    else if (space.directed) { RELIEFBAKE_CHOOSE(L2Quadrant); }
     else { RELIEFBAKE_CHOOSE(L2); }
 #undef RELIEFBAKE_CHOOSE
     return kernels;

@@ -34,15 +34,19 @@ std::string result_text(const ConePlan& plan) {
     text += "\nmetric=" + word_of(metric_words, plan.cone.metric);
     text += "\ntolerance=" + digits(plan.cone.tolerance) + "\ncone-max=" + digits(plan.cone.ratio_max);
     text += "\ndepth-uv=" + digits(plan.depth_scale) + "\nbits=" + word_of(bits_words, plan.bits);
+    text += "\nplanes=" + std::to_string(plan.given.planes) + "\nkind=" + word_of(family_words, plan.cone.family);
+    text += "\nrelaxed=" + std::to_string(int(plan.cone.rays)) + ":" + digits(plan.cone.relaxed_slope);
+    text += "\ndelta=" + digits(plan.cone.hybrid_delta) + "\nlookup=" + word_of(lookup_words, plan.cone.lookup);
     text += "\nencoding=" + word_of(encoding_words, plan.given.encoding);
     text += "\nnormal-y=" + word_of(normal_y_words, plan.given.normal_y);
+    if (plan.given.mips) text += plan.given.trilinear ? "\nmips=trilinear" : "\nmips=nearest";
     return text + "\nlayout=" + word_of(layout_words, plan.layout) + "\n";
 }
 
 } // namespace
 
 std::string argument_hash(const ConePlan& plan) {
-    const std::string text = "cone\n" + source_text(plan.given) + result_text(plan);
+    const std::string text = plan.given.kind + "\n" + source_text(plan.given) + result_text(plan);
     XXH128_canonical_t canonical;
     XXH128_canonicalFromHash(&canonical, XXH3_128bits(text.data(), text.size()));
     std::string hex;

@@ -28,14 +28,18 @@ Image<float> sampled_depth(DepthMap depth) {
 
 } // namespace
 
-ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, EncodedConeMap cones, NormalMap normals) {
+ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, std::vector<EncodedConeMap> cones, NormalMap normals) {
     const float y_sign = info.normal_y == NormalY::gl ? 1.0f : -1.0f;
+    std::vector<Image<float>> planes;
+    for (EncodedConeMap& map : cones) planes.push_back(std::move(map.value));
+    const bool single = info.kind == "cone";
     return {info,
             depth.grid,
             stored_normals(std::move(normals.x), 1, info.bits),
             stored_normals(std::move(normals.y), y_sign, info.bits),
-            std::move(cones.value),
-            sampled_depth(std::move(depth))};
+            single ? std::move(planes.front()) : Image<float>(),
+            sampled_depth(std::move(depth)),
+            single ? std::vector<Image<float>>() : std::move(planes)};
 }
 
 } // namespace reliefbake

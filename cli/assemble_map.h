@@ -11,6 +11,6 @@ namespace reliefbake {
 /// Rounds the normals to codes of `info.bits` (unorm: 0.5 n + 0.5), turns y for NormalY::dx, and puts
 /// normals, cones and depth side by side. All planes have the depth's grid. By value: a caller that is done with a
 /// plane moves it in and saves its memory.
-ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, EncodedConeMap cones, NormalMap normals);
+ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, std::vector<EncodedConeMap> cones, NormalMap normals);
 
 } // namespace reliefbake

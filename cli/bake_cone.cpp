@@ -2,12 +2,14 @@
 
 #include "bake/normal_map.h"
 #include "cli/assemble_map.h"
+#include "cli/bake_mips.h"
 #include "cli/cone_info.h"
 #include "cli/cone_report.h"
 #include "cli/cone_warnings.h"
 #include "cli/stage_clock.h"
 #include "formats/map_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -19,10 +21,15 @@ namespace reliefbake {
 namespace {
 
 /// A no-data value is given in the file's own numbers; the plane of an integer file is scaled to 0..1.
-HeightOptions with_no_data(HeightOptions options, const SourceImage& source) {
-    if (!options.no_data) options.no_data = source.no_data;
-    if (options.no_data && source.is_integer)
-        options.no_data = float(*options.no_data / (std::ldexp(1.0, source.bit_depth) - 1));
+Result<HeightOptions> with_no_data(HeightOptions options, const SourceImage& source, const std::string& name) {
+    const double largest = std::ldexp(1.0, source.bit_depth) - 1;
+    const bool given = options.no_data.has_value();
+    if (!given) options.no_data = source.no_data;
+    if (!options.no_data || !source.is_integer) return options;
+    const double code = *options.no_data;
+    if (given && (code < 0 || code > largest || code != std::floor(code)))
+        return fail(ErrorCode::usage, "--no-data: " + name + " holds whole numbers from 0 to " + std::to_string(long(largest)));
+    options.no_data = float(code / largest);
     return options;
 }
 
@@ -37,23 +44,41 @@ Result<StoredHeight> read_depth(const ConePlan& plan, StageClock& clock) {
     const ConeCommandOptions& given = plan.given;
     Result<SourceImage> source = clock.time("read", [&] { return read_image(given.input, given.read); });
     if (!source) return tl::unexpected(source.error());
-    const Result<CheckedHeight> height = clock.time("height", [&] {
-        return make_height_field(source->plane, source->is_integer, with_no_data(given.height, *source),
-                                 given.input);
-    });
+    const Result<HeightOptions> options = with_no_data(given.height, *source, given.input);
+    if (!options) return tl::unexpected(options.error());
+    const Result<CheckedHeight> height =
+        clock.time("height", [&] { return make_height_field(source->plane, source->is_integer, *options, given.input); });
     if (!height) return tl::unexpected(height.error());
     source->plane = {};
     DepthMap depth = clock.time("quantise", [&] { return quantise_depth(height->field, plan.bits); });
     return StoredHeight{std::move(*source), height->report, std::move(depth)};
 }
 
-ConeMap bake_timed_cones(const DepthMap& depth, const ConeOptions& options, StageClock& clock) {
+std::vector<ConeMap> bake_kind(const DepthMap& depth, const ConePlan& plan, ConeStatistics& statistics) {
+    if (plan.given.kind == "acm") return bake_sector_cones(depth, plan.given.planes, plan.cone, &statistics);
+    if (plan.given.kind == "cone-stack") return bake_stacked_cones(depth, plan.given.planes, plan.cone, &statistics);
+    std::vector<ConeMap> one;
+    one.push_back(bake_cones(depth, plan.cone, &statistics));
+    return one;
+}
+
+std::vector<ConeMap> bake_timed_cones(const DepthMap& depth, const ConePlan& plan, StageClock& clock) {
     ConeStatistics statistics;
-    ConeMap cones = clock.time("cone", [&] { return bake_cones(depth, options, &statistics); });
+    std::vector<ConeMap> cones = clock.time("cone", [&] { return bake_kind(depth, plan, statistics); });
     clock.add("cone_near", statistics.seconds_near);
     clock.add("cone_pyramid", statistics.seconds_pyramid);
     clock.add("cone_search", statistics.seconds_search);
     return cones;
+}
+
+/// The ordinary cone map that goes with cones alone: its cone at a texel is the narrowest of theirs.
+ReliefMap relief_map_for(const ReliefMap& map, const EncodedConeMap& first) {
+    ReliefMap relief{map.info, map.grid, map.normal_x, map.normal_y, first.value, map.depth, {}};
+    relief.info.kind = "cone", relief.info.planes = 0, relief.info.layout = ChannelLayout::rgba;
+    if (map.info.kind == "acm") // codes grow with cones; the levels of a stack above the first stand above the surface
+        for (const Image<float>& plane : map.cone_planes)
+            for (std::size_t k = 0; k < plane.size(); ++k) relief.cone[k] = std::min(relief.cone[k], plane[k]);
+    return relief;
 }
 
 void print(const ConeRun& run) {
@@ -68,22 +93,31 @@ void print(const ConeRun& run) {
 
 void ConeCommand::add_to(CLI::App& app) { add_cone_options(app, options_); }
 
-Result<void> ConeCommand::run() {
-    const Result<ConePlan> plan = plan_cone(options_);
-    if (!plan) return tl::unexpected(plan.error());
-    return bake(*plan);
-}
+Result<void> ConeCommand::run() { return bake_planned(options_); }
 
-Result<void> ConeCommand::bake(const ConePlan& plan) {
+Result<void> bake_planned(const ConeCommandOptions& options) {
+    const Result<ConePlan> planned = plan_cone(options);
+    if (!planned) return tl::unexpected(planned.error());
+    const ConePlan& plan = *planned;
     const ConeCommandOptions& given = plan.given;
     StageClock clock(!given.quiet);
 
     Result<StoredHeight> stored = read_depth(plan, clock);
     if (!stored) return tl::unexpected(stored.error());
+    if (given.mips) {
+        const Result<MipRun> mips = bake_mips(plan, stored->source, stored->depth, clock);
+        if (!mips) return tl::unexpected(mips.error());
+        clock.stop();
+        print({plan, stored->source, stored->report, mips->info, mips->levels[0].grid, mips->warnings, clock.seconds(),
+               mips->levels});
+        return {};
+    }
     DepthMap& depth = stored->depth;
-    ConeMap cones = bake_timed_cones(depth, plan.cone, clock);
-    EncodedConeMap encoded = clock.time("encode", [&] {
-        return encode_cones(cones, depth, {given.encoding, plan.bits});
+    std::vector<ConeMap> cones = bake_timed_cones(depth, plan, clock);
+    std::vector<EncodedConeMap> encoded = clock.time("encode", [&] {
+        std::vector<EncodedConeMap> maps;
+        for (const ConeMap& map : cones) maps.push_back(encode_cones(map, depth, {given.encoding, plan.bits}));
+        return maps;
     });
     NormalMap normals = clock.time("normals", [&] {
         return bake_normals(depth, plan.depth_scale, plan.cone.threads);
@@ -93,12 +127,18 @@ Result<void> ConeCommand::bake(const ConePlan& plan) {
     const std::vector<std::string> warnings = cone_warnings(given, stored->source, depth, cones, encoded);
     cones = {};
 
+    const EncodedConeMap first = given.relief_output.empty() ? EncodedConeMap{} : encoded.front();
     const ReliefMap map = assemble_map(info, std::move(depth), std::move(encoded), std::move(normals));
-    const Result<void> written =
-        clock.time("write", [&] { return write_map(given.output, map, plan.cone.threads); });
+    const Result<void> written = clock.time("write", [&] { return write_map(given.output, map, plan.cone.threads); });
     if (!written) return written;
+    if (!given.relief_output.empty()) {
+        const Result<void> beside = clock.time("write_relief", [&] {
+            return write_map(given.relief_output, relief_map_for(map, first), plan.cone.threads);
+        });
+        if (!beside) return beside;
+    }
     clock.stop();
-    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds()});
+    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds(), {}});
     return {};
 }
 

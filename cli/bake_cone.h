@@ -6,14 +6,15 @@
 
 namespace reliefbake {
 
+/// The stages of every cone command: read, bake, encode, write, tell.
+Result<void> bake_planned(const ConeCommandOptions& options);
+
 class ConeCommand : public Command {
   public:
     void add_to(CLI::App& app) override;
     Result<void> run() override;
 
   private:
-    Result<void> bake(const ConePlan& plan);
-
     ConeCommandOptions options_;
 };
 

@@ -21,9 +21,13 @@ namespace {
 
 constexpr double seconds_per_peer = 0.5;
 
-Words<Simd> simd_words() {
-    Words<Simd> words;
-    for (Simd choice : available_simd()) words.emplace_back(to_string(choice), choice);
+/// Lives as long as the program: options keep a reference.
+const Words<Simd>& simd_words() {
+    static const Words<Simd> words = [] {
+        Words<Simd> all;
+        for (Simd choice : available_simd()) all.emplace_back(to_string(choice), choice);
+        return all;
+    }();
     return words;
 }
 
@@ -57,7 +61,7 @@ void BenchConeCommand::add_to(CLI::App& app) {
     app.option_defaults()->group("Subject");
     app.add_option("--channel", read_.channel, "Its channel (default: the only one, else luminance)")->needs(file);
     add_choice(app, "--input", height_.input, input_words, "What white means in it (default height)")->needs(file);
-    add_range_option(app, height_);
+    add_range_option(app, height_)->needs(file);
     add_wrap_option(app, height_.wrap_x, height_.wrap_y);
     app.add_option("--field", field_, "One synthetic field: ramp, pyramid, hill, saw-tooth, stairs, checkerboard, "
                                       "spike, noise, constant, fbm")
@@ -69,6 +73,10 @@ void BenchConeCommand::add_to(CLI::App& app) {
     add_choice(app, "--metric", cone_.metric, metric_words, "How distance is measured (default l2)");
     add_number(app, "--tolerance", cone_.tolerance, fraction_number, "As for `cone` (default 0.001)");
     add_thread_option(app, cone_.threads);
+    add_family_options(app, family_, true);
+    app.add_option("--sectors", sectors_, "Sectors of an anisotropic map (default 1: none)")->check(CLI::IsMember({1, 4, 8}));
+    app.add_option("--levels", levels_, "Levels of a cone stack (default 1: none)")->check(CLI::Range(1, 16));
+    app.option_defaults()->group("Bake");
     add_choice(app, "--simd", simd_, simd_words(), "Instruction set (default: the widest this machine has)");
     app.option_defaults()->group("Measurement");
     app.add_option("--repeat", repeat_, "Bakes; the fastest counts (default 5)")->check(CLI::Range(1, 1000));
@@ -102,13 +110,20 @@ Result<void> BenchConeCommand::run() {
     const Result<int> threads = resolve_threads(cone_.threads);
     if (!threads) return tl::unexpected(threads.error());
     cone_.threads = *threads;
+    if (const Result<void> resolved = resolve_family(family_, cone_); !resolved) return resolved;
+    const bool plain = cone_.family == ConeFamily::conservative && cone_.lookup == ConeLookup::filtered && sectors_ == 1 && levels_ == 1;
+    if ((peers_ || compare_) && !plain) return fail(ErrorCode::usage, "--peers and --compare: are for conservative cones of all directions");
+    if (sectors_ > 1 && (cone_.family == ConeFamily::hybrid || levels_ > 1))
+        return fail(ErrorCode::usage, "--sectors: sectors are conservative or relaxed, and not stacked");
+    if (levels_ > 1 && cone_.family != ConeFamily::conservative) return fail(ErrorCode::usage, "--levels: stacked cones are conservative");
+    if (sectors_ == 8 && cone_.metric == Metric::l1) return fail(ErrorCode::usage, "--sectors 8: needs --metric l2");
     use_simd(simd_);
     const Result<std::vector<Subject>> subjects = this->subjects();
     if (!subjects) return tl::unexpected(subjects.error());
 
     nlohmann::json results = nlohmann::json::array();
     for (const auto& [name, depth] : *subjects) {
-        nlohmann::json result = time_bake(depth, cone_, repeat_);
+        nlohmann::json result = time_bake(depth, cone_, sectors_, levels_, repeat_);
         result.update({{"name", name}, {"width", depth.grid.width}, {"height", depth.grid.height}});
         if (peers_)
             for (const Peer& peer : {brute_force_peer(), expanding_ring_peer(), quick_cone_map_peer()}) {

@@ -5,6 +5,7 @@
 #include "bake/simd.h"
 #include "cli/bench/compare_maps.h"
 #include "cli/command.h"
+#include "cli/family_options.h"
 #include "formats/read_image.h"
 
 #include <string>
@@ -33,6 +34,9 @@ class BenchConeCommand : public Command {
     int size_ = 1024;   ///< --size, of synthetic fields
     int repeat_ = 5;    ///< --repeat: the fastest run counts
     ConeOptions cone_;
+    FamilyOptions family_;
+    int sectors_ = 1; ///< --sectors: 1, or an anisotropic map
+    int levels_ = 1;  ///< --levels: 1, or a stack
     Simd simd_ = Simd::automatic;
     bool peers_ = false;   ///< --peers: time the ways others bake
     bool compare_ = false; ///< --compare: what safety costs and what others' maps miss

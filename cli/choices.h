@@ -30,7 +30,15 @@ inline const Words<BitDepth> bits_words = {{"8", BitDepth::unorm8},
                                            {"float", BitDepth::float32}};
 inline const Words<NormalY> normal_y_words = {{"gl", NormalY::gl}, {"dx", NormalY::dx}};
 inline const Words<ChannelLayout> layout_words = {{"rgba", ChannelLayout::rgba},
-                                                  {"named", ChannelLayout::named}};
+                                                  {"named", ChannelLayout::named},
+                                                  {"side", ChannelLayout::side},
+                                                  {"pair", ChannelLayout::pair}};
+/// Those of a map with one cone a texel (--exr-layout).
+inline const Words<ChannelLayout> single_cone_layout_words(layout_words.begin(), layout_words.begin() + 2);
+inline const Words<ConeFamily> family_words = {{"conservative", ConeFamily::conservative},
+                                               {"relaxed", ConeFamily::relaxed},
+                                               {"hybrid", ConeFamily::hybrid}};
+inline const Words<ConeLookup> lookup_words = {{"filtered", ConeLookup::filtered}, {"cell", ConeLookup::cell}};
 inline const Words<InputKind> input_words = {{"height", InputKind::height}, {"depth", InputKind::depth}};
 inline const Words<NanPolicy> nan_words = {{"error", NanPolicy::error}, {"fill", NanPolicy::fill}};
 

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 
 #include "cli/bake_cone.h"
+#include "cli/bake_families.h"
 #include "cli/bench_cone.h"
 #include "cli/explain.h"
 #include "cli/render.h"
@@ -18,6 +19,9 @@ std::unique_ptr<Command> make() {
 
 constexpr CommandEntry all_commands[] = {
     {"cone", "Bake a height map into a cone map (normal, cone, depth)", make<ConeCommand>},
+    {"acm", "Bake an anisotropic cone map: one cone per sector of azimuth", make<AcmCommand>},
+    {"cone-normal", "Bake a cone normal map: no cap, the code is also a distance", make<ConeNormalCommand>},
+    {"cone-stack", "Bake cones stacked above each texel", make<ConeStackCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},

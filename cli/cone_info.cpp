@@ -5,39 +5,62 @@
 #include "formats/shortest_decimal.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace reliefbake {
 
 namespace {
 
-std::map<std::string, double> statistics_of(const DepthMap& depth, const ConeMap& cones,
-                                            const EncodedConeMap& encoded) {
+/// Over all planes of cones.
+std::map<std::string, double> statistics_of(const DepthMap& depth, const std::vector<ConeMap>& cones,
+                                            const std::vector<EncodedConeMap>& encoded) {
     const auto [shallow, deep] = std::minmax_element(depth.level.begin(), depth.level.end());
-    const double sum = std::accumulate(cones.ratio.begin(), cones.ratio.end(), 0.0);
+    double sum = 0, texels = 0, zero_codes = 0;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        const Image<float>& ratio = cones[k].ratio;
+        sum += std::accumulate(ratio.begin(), ratio.end(), 0.0), texels += double(ratio.size());
+        least = std::min(least, *std::min_element(ratio.begin(), ratio.end()));
+        zero_codes += double(encoded[k].zero_codes);
+    }
     return {{"depth_min", double(*shallow) / max_code(depth.bits)},
             {"depth_max", double(*deep) / max_code(depth.bits)},
-            {"ratio_min", shortest_decimal(*std::min_element(cones.ratio.begin(), cones.ratio.end()))},
-            {"ratio_mean", sum / double(cones.ratio.size())},
-            {"zero_codes", double(encoded.zero_codes)}};
+            {"ratio_min", shortest_decimal(least)},
+            {"ratio_mean", sum / texels},
+            {"zero_codes", zero_codes}};
+}
+
+/// C: no surface in a cone. R: a step from outside ends with one crossing behind it at most. Others promise nothing.
+std::string guarantee_of(const ConeOptions& options) {
+    if (options.family == ConeFamily::conservative) return std::string(1, 'C'); // GCC 12 warns about plain literals (bug 105651)
+    return options.rays == RelaxedRays::strict ? std::string(1, 'R') : std::string();
 }
 
 } // namespace
 
 ReliefMapInfo describe_cones(const ConePlan& plan, const SourceImage& source, const DepthMap& depth,
-                             const ConeMap& cones, const EncodedConeMap& encoded) {
+                             const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded) {
+    const ConeOptions& options = cones.front().options;
     ReliefMapInfo info;
-    info.metric = cones.options.metric;
-    info.encoding = encoded.encoding;
-    info.bits = encoded.bits;
-    info.surface = cones.options.surface;
+    info.kind = plan.given.kind;
+    info.planes = plan.given.kind == "cone" ? 0 : plan.given.planes;
+    info.family = options.family;
+    info.rays = options.rays;
+    info.relaxed_slope = shortest_decimal(options.relaxed_slope);
+    info.hybrid_delta = shortest_decimal(options.hybrid_delta);
+    info.lookup = options.lookup;
+    info.metric = options.metric;
+    info.encoding = encoded.front().encoding;
+    info.bits = encoded.front().bits;
+    info.surface = options.surface;
     info.layout = plan.layout;
     info.normal_y = plan.given.normal_y;
-    info.cone_max = encoded.ratio_max;
+    info.cone_max = encoded.front().ratio_max;
     info.depth_scale = plan.depth_scale;
     info.filter_delta = filter_delta(depth);
-    info.tolerance = shortest_decimal(cones.options.tolerance);
-    info.guarantee = "C";
+    info.tolerance = shortest_decimal(options.tolerance);
+    info.guarantee = guarantee_of(options);
     info.version = version();
     info.source_hash = source.pixel_hash;
     info.argument_hash = plan.argument_hash;

@@ -10,6 +10,6 @@ namespace reliefbake {
 
 /// Statistics: depth_min, depth_max, ratio_min, ratio_mean (before encoding), zero_codes.
 ReliefMapInfo describe_cones(const ConePlan& plan, const SourceImage& source, const DepthMap& depth,
-                             const ConeMap& cones, const EncodedConeMap& encoded);
+                             const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded);
 
 } // namespace reliefbake

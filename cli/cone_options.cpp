@@ -2,6 +2,7 @@
 
 #include "cli/choices.h"
 #include "cli/length_option.h"
+#include "cli/mip_options.h"
 #include "cli/number_options.h"
 #include "cli/range_option.h"
 #include "cli/thread_option.h"
@@ -41,7 +42,9 @@ void add_physical_options(CLI::App& app, ConeCommandOptions& o) {
                "Height of a texel divided by its width, 0.5 to 2 (default 1)");
 }
 
-void add_bake_options(CLI::App& app, ConeCommandOptions& o) {
+} // namespace
+
+void add_search_options(CLI::App& app, ConeCommandOptions& o) {
     app.option_defaults()->group("Bake");
     add_choice(app, "--surface", o.cone.surface, surface_words,
                "Surface that no cone may touch (default bilinear: as a GPU filters it)");
@@ -49,36 +52,55 @@ void add_bake_options(CLI::App& app, ConeCommandOptions& o) {
                "How horizontal distance is measured (default l2)");
     add_number(app, "--tolerance", o.cone.tolerance, fraction_number,
                "How much narrower than exact a cone may be, relative, for speed (default 0.001)");
-    add_number(app, "--cone-max", o.cone.ratio_max, positive_or_inf,
-               "Widest cone, texture widths per unit of depth (default 1; inf: encoding normal, or radius in "
-               "floats)");
     add_thread_option(app, o.cone.threads);
 }
 
-void add_result_options(CLI::App& app, ConeCommandOptions& o) {
+void add_cone_max_option(CLI::App& app, ConeCommandOptions& o) {
+    app.option_defaults()->group("Bake");
+    add_number(app, "--cone-max", o.cone.ratio_max, positive_or_inf,
+               "Widest cone, texture widths per unit of depth (default 1; inf: encoding normal, or radius in "
+               "floats)");
+}
+
+void add_encoding_option(CLI::App& app, ConeCommandOptions& o) {
     app.option_defaults()->group("Result");
-    app.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga")
+    add_choice(app, "--encoding", o.encoding, encoding_words, "Encoding of the cone channel (default sqrt)");
+}
+
+void add_exr_layout_option(CLI::App& app, ConeCommandOptions& o) {
+    app.option_defaults()->group("Result");
+    add_choice(app, "--exr-layout", o.layout, single_cone_layout_words,
+               "Channels R,G,B,A or relief.nx, relief.ny, relief.cone, relief.depth (default rgba)");
+}
+
+void add_output_options(CLI::App& app, ConeCommandOptions& o) {
+    app.option_defaults()->group("Result");
+    app.add_option("-o,--output", o.output, "Map to write: .png .tif .exr .tga .dds .ktx2")
         ->required()
         ->type_name("OUT");
     add_choice(app, "--bits", o.bits, bits_words, "Depth of the channels (default 16; exr: float; tga: 8)");
-    add_choice(app, "--encoding", o.encoding, encoding_words, "Encoding of the cone channel (default sqrt)");
     add_choice(app, "--normal-y", o.normal_y, normal_y_words, "Direction of the normals' y (default gl: up)");
-    add_choice(app, "--exr-layout", o.layout, layout_words,
-               "Channels R,G,B,A or relief.nx, relief.ny, relief.cone, relief.depth (default rgba)");
     CLI::Option* json =
         app.add_flag("--json", o.json, "Print one result object (cli/schema/cone.schema.json)");
     app.add_flag("--quiet", o.quiet, "Print nothing unless something is wrong")->excludes(json);
 }
 
-} // namespace
-
-void add_cone_options(CLI::App& app, ConeCommandOptions& options) {
+void add_input_options(CLI::App& app, ConeCommandOptions& options) {
     app.add_option("IN", options.input, "Height map: png, tif, exr, hdr, jpg, tga, bmp, pgm, ppm, pfm")
         ->required();
     add_source_options(app, options);
     add_physical_options(app, options);
-    add_bake_options(app, options);
-    add_result_options(app, options);
+}
+
+void add_cone_options(CLI::App& app, ConeCommandOptions& options) {
+    add_input_options(app, options);
+    add_search_options(app, options);
+    add_cone_max_option(app, options);
+    add_family_options(app, options.family, true);
+    add_output_options(app, options);
+    add_encoding_option(app, options);
+    add_exr_layout_option(app, options);
+    add_mip_options(app, options);
 }
 
 } // namespace reliefbake

@@ -5,6 +5,7 @@
 #include "bake/error.h"
 #include "bake/height_field.h"
 #include "bake/relief_map.h"
+#include "cli/family_options.h"
 #include "formats/read_image.h"
 
 #include <CLI/App.hpp>
@@ -22,6 +23,10 @@ struct ConeCommandOptions {
     std::string output;   ///< -o, --output
     ReadOptions read;     ///< --channel, --max-bytes
     HeightOptions height; ///< --input --range --nan --no-data --scale --bias --wrap --pixel-aspect
+    std::string kind = "cone"; ///< what the command bakes: "cone", "acm", "cone-stack"
+    int planes = 1;            ///< sectors of an acm (--sectors), levels of a cone-stack (--levels)
+    FamilyOptions family;      ///< --kind --relaxed --delta --lookup
+    std::string relief_output; ///< --relief: a cone map with depth and normals, beside a map of cones alone
     ConeOptions cone;     ///< --surface --metric --tolerance --cone-max --threads
     ConeEncoding encoding = ConeEncoding::sqrt;
     std::optional<BitDepth> bits;        ///< --bits; default by the output's format
@@ -30,6 +35,8 @@ struct ConeCommandOptions {
     std::optional<double> depth_uv;     ///< --depth-uv
     std::optional<double> size_metres;  ///< --size
     std::optional<double> depth_metres; ///< --depth
+    bool mips = false;      ///< --mips: a chain of levels, each with heights and cones of its own
+    bool trilinear = false; ///< --trilinear: cones that hold under a blend of two levels
     bool json = false;
     bool quiet = false;
 };
@@ -45,6 +52,14 @@ struct ConePlan {
 };
 
 void add_cone_options(CLI::App& app, ConeCommandOptions& options);
+
+// Its groups, for the commands that share some of them.
+void add_input_options(CLI::App& app, ConeCommandOptions& options);  ///< IN, Source, Proportions
+void add_search_options(CLI::App& app, ConeCommandOptions& options); ///< --surface --metric --tolerance --threads
+void add_cone_max_option(CLI::App& app, ConeCommandOptions& options);
+void add_output_options(CLI::App& app, ConeCommandOptions& options); ///< -o --bits --normal-y --json --quiet
+void add_encoding_option(CLI::App& app, ConeCommandOptions& options);
+void add_exr_layout_option(CLI::App& app, ConeCommandOptions& options);
 
 /// Refuses (usage) options that do not fit each other or the output's format.
 Result<ConePlan> plan_cone(const ConeCommandOptions& options);

@@ -34,6 +34,20 @@ std::string range_line(const HeightReport& height) {
     return line + "\n";
 }
 
+json level_list(const std::vector<MipReport>& levels) {
+    json list = json::array();
+    for (const MipReport& level : levels) {
+        json statistics = json::object();
+        for (const auto& [name, value] : level.statistics)
+            statistics[name] = std::isinf(value) ? json("inf") : json(value);
+        list.push_back({{"output", level.output},
+                        {"width", level.grid.width},
+                        {"height", level.grid.height},
+                        {"statistics", std::move(statistics)}});
+    }
+    return list;
+}
+
 json cone_result(const ConeRun& run) {
     const HeightReport& h = run.height;
     json seconds = json::object();
@@ -41,7 +55,7 @@ json cone_result(const ConeRun& run) {
         seconds[stage] = duration;
     const auto number = [](double sample) { return shortest_decimal(float(sample)); };
     const json map = to_json(run.info, run.grid);
-    return {
+    json result = {
         {"input", run.plan.given.input},
         {"output", run.plan.given.output},
         {"source",
@@ -61,6 +75,8 @@ json cone_result(const ConeRun& run) {
         {"threads", run.plan.cone.threads},
         {"seconds", seconds},
     };
+    if (!run.levels.empty()) result["levels"] = level_list(run.levels);
+    return result;
 }
 
 } // namespace
@@ -84,6 +100,9 @@ std::string cone_summary(const ConeRun& run) {
     text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
                    word_of(encoding_words, run.info.encoding).c_str(), storage_words(run.info.bits),
                    statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
+    if (!run.levels.empty())
+        text += format("  %zu mip levels, %s\n", run.levels.size(),
+                       run.info.trilinear ? "safe to blend" : "one at a time (nearest mip)");
     return text +
            format("  %.3g s, %.3g texels/s, %d threads\n", seconds, texels / seconds, run.plan.cone.threads);
 }

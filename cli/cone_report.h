@@ -7,10 +7,18 @@
 #include "cli/stage_clock.h"
 #include "formats/read_image.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace reliefbake {
+
+/// One level of a mip chain.
+struct MipReport {
+    std::string output; ///< the file that holds it
+    TexelGrid grid;
+    std::map<std::string, double> statistics;
+};
 
 /// Everything a finished bake knows about itself.
 struct ConeRun {
@@ -21,6 +29,7 @@ struct ConeRun {
     const TexelGrid& grid;
     std::vector<std::string> warnings;
     const StageClock::Seconds& seconds;
+    std::vector<MipReport> levels; ///< with --mips: all of them, level 0 first
 };
 
 /// The object of --json: cli/schema/cone.schema.json.

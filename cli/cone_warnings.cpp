@@ -13,12 +13,13 @@ std::string more_bits(BitDepth bits) { return bits == BitDepth::unorm8 ? "--bits
 
 /// The encoding that leaves the fewest texels with code 0 at the same depth, or more bits when none leaves
 /// fewer.
-std::string better_codes(const DepthMap& depth, const ConeMap& cones, const EncodedConeMap& encoded) {
-    std::size_t fewest = encoded.zero_codes;
+std::string better_codes(const DepthMap& depth, const std::vector<ConeMap>& maps, const EncodedConeMap& encoded,
+                         std::size_t fewest) {
     std::string better;
     for (const auto& [word, encoding] : encoding_words) {
         if (encoding == encoded.encoding || !std::isfinite(encoded.ratio_max)) continue;
-        const std::size_t zeros = encode_cones(cones, depth, {encoding, encoded.bits}).zero_codes;
+        std::size_t zeros = 0;
+        for (const ConeMap& cones : maps) zeros += encode_cones(cones, depth, {encoding, encoded.bits}).zero_codes;
         if (zeros >= fewest) continue;
         fewest = zeros;
         better = word;
@@ -30,19 +31,23 @@ std::string better_codes(const DepthMap& depth, const ConeMap& cones, const Enco
 } // namespace
 
 std::vector<std::string> cone_warnings(const ConeCommandOptions& given, const SourceImage& source,
-                                       const DepthMap& depth, const ConeMap& cones,
-                                       const EncodedConeMap& encoded) {
+                                       const DepthMap& depth, const std::vector<ConeMap>& cones,
+                                       const std::vector<EncodedConeMap>& encoded) {
     std::vector<std::string> warnings;
     if (source.srgb_tagged)
         warnings.push_back(given.input +
                            ": tagged sRGB, which heights are not; its codes are taken as they stand");
-    if (map_format_of(given.output) == MapFormat::targa)
-        warnings.push_back(given.output +
-                           ": TGA keeps no metadata; whoever reads the map must know what it means");
-    if (encoded.zero_codes > 0)
-        warnings.push_back(given.output + ": " + std::to_string(encoded.zero_codes) +
-                           " texels have cone code 0, where a ray goes on cell by cell; " +
-                           better_codes(depth, cones, encoded));
+    const Result<MapFormat> format = map_format_of(given.output);
+    if (format == MapFormat::targa || format == MapFormat::dds)
+        warnings.push_back(given.output + ": " + (format == MapFormat::dds ? "DDS" : "TGA") +
+                           " keeps no metadata; whoever reads the map must know what it means");
+    std::size_t zero_codes = 0;
+    for (const EncodedConeMap& map : encoded) zero_codes += map.zero_codes;
+    if (zero_codes > 0)
+        warnings.push_back(given.output + ": " + std::to_string(zero_codes) +
+                           (encoded.size() > 1 ? " cones" : " texels") +
+                           " have cone code 0, where a ray goes on cell by cell; " +
+                           better_codes(depth, cones, encoded.front(), zero_codes));
     return warnings;
 }
 

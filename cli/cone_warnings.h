@@ -14,7 +14,7 @@ namespace reliefbake {
 /// cones (code 0), with the encoding that would lose the fewest, found by trying the others at the cost of an
 /// encoding pass each.
 std::vector<std::string> cone_warnings(const ConeCommandOptions& given, const SourceImage& source,
-                                       const DepthMap& depth, const ConeMap& cones,
-                                       const EncodedConeMap& encoded);
+                                       const DepthMap& depth, const std::vector<ConeMap>& cones,
+                                       const std::vector<EncodedConeMap>& encoded);
 
 } // namespace reliefbake

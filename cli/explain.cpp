@@ -15,7 +15,9 @@ void ExplainCommand::add_to(CLI::App& app) {
 }
 
 Result<void> ExplainCommand::run() {
-    const Result<ReliefMap> map = read_map(options_.file, options_.hints);
+    MapHints hints = options_.hints;
+    hints.cones_suffice = true;
+    const Result<ReliefMap> map = read_map(options_.file, hints);
     if (!map) return tl::unexpected(map.error());
     const auto replace = nlohmann::json::error_handler_t::replace;
     const std::string text = options_.json ? to_json(map->info, map->grid).dump(2, ' ', false, replace) + "\n"

@@ -1,7 +1,8 @@
 #include "cli/explain_text.h"
 
 #include "cli/choices.h"
-#include "formats/map_json.h"
+#include "cli/explain_cones.h"
+#include "formats/map_layout.h"
 #include "formats/shortest_decimal.h"
 
 #include <charconv>
@@ -62,31 +63,48 @@ std::string cone_lines(const ReliefMapInfo& info, const TexelGrid& grid, const s
 }
 
 std::string safety_lines(const ReliefMapInfo& info) {
-    const std::string surface =
-        info.surface == SurfaceModel::bilinear ? "bilinearly filtered surface" : "surface of texel centres";
-    std::string text = info.guarantee == "C"
-                           ? "No point of the " + surface + " lies inside a cone (guarantee C).\n"
-                           : "Nothing is guaranteed about the cones.\n";
+    std::string text = guarantee_line(info);
     if (info.filter_delta > 0)
         text += "A GPU that filters with 8-bit weights reads a depth off by up to " +
                 digits(info.filter_delta) + ": subtract that from g.\n";
     return text;
 }
 
+std::string mip_words(const ReliefMapInfo& info) {
+    if (info.levels == 1) return info.trilinear ? "one level of a chain, safe to blend with its neighbours" : "no mips";
+    return std::to_string(info.levels) + " mip levels, " +
+           (info.trilinear ? "safe to blend" : "one at a time (nearest mip, no blend of two)");
+}
+
+/// How to decode the channels of a map whose kind this version knows.
+std::string channel_lines(const ReliefMap& map) {
+    const ReliefMapInfo& info = map.info;
+    const bool several = has_cone_planes(info.kind);
+    const auto channels = layout_images(info)[0].channels;
+    const bool named = info.layout == ChannelLayout::named;
+    std::string text;
+    if (!holds_relief(info)) text += "Depth and normals lie in the cone map of the same heights (--relief FILE).\n";
+    if (holds_relief(info) && !map.normal_x.empty() && !map.normal_y.empty())
+        text += normal_lines(info, channels[0], channels[1]);
+    text += plane_lines(info);
+    const std::string depth = several ? (named ? "relief.depth" : "depth") : channels[depth_plane];
+    if (several || !map.cone.empty()) text += cone_lines(info, map.grid, cone_word(info), depth);
+    if (holds_relief(info) && !map.depth.empty()) text += "  depth   " + depth + "; 0 is the top (the polygon), 1 the floor.\n";
+    return text + family_lines(info);
+}
+
 } // namespace
 
 std::string explain_text(const ReliefMap& map) {
-    const auto [x, y, cone, depth] = channel_names(map.info.layout);
     const ReliefMapInfo& info = map.info;
     std::string text = "A " + info.kind + " map of " + std::to_string(map.grid.width) + " x " +
                        std::to_string(map.grid.height) + " texels, " + word_of(bits_words, info.bits) +
                        " bits";
     text += info.version.empty() ? ".\n" : ", by reliefbake " + info.version + ".\n";
-    text += "Sample it with linear or nearest filtering, " + wrap_words(map.grid) +
-            ", no sRGB decoding, no mips.\n";
-    if (!map.normal_x.empty() && !map.normal_y.empty()) text += normal_lines(info, x, y);
-    if (!map.cone.empty()) text += cone_lines(info, map.grid, cone, depth);
-    if (!map.depth.empty()) text += "  depth   " + depth + "; 0 is the top (the polygon), 1 the floor.\n";
+    text += "Sample it with linear or nearest filtering, " + wrap_words(map.grid) + ", no sRGB decoding, " +
+            mip_words(info) + ".\n";
+    const bool readable = is_known_kind(info.kind) || !map.depth.empty() || !map.cone.empty();
+    text += readable ? channel_lines(map) : "This version does not know the kind, nor how its channels are decoded.\n";
     text += safety_lines(info);
     for (const auto& [name, value] : info.statistics)
         text += "  " + name + " = " + digits(value) + "\n";

@@ -38,6 +38,11 @@ void add_map_hints(CLI::App& app, MapHints& hints) {
         ->check(check_channel_order)
         ->type_name("LETTERS");
     app.add_flag("--alpha-is-height", hints.alpha_is_height, "The depth channel holds height");
+    app.add_option("--relief", hints.relief,
+                   "Cone map of the same heights: depth and normals for a map that holds cones alone")
+        ->type_name("FILE");
+    app.add_option("--level", hints.level, "Mip level of an EXR or TIFF (default 0, the largest)")
+        ->check(CLI::Range(0, 30));
     add_byte_budget(app, hints.max_bytes);
 }
 

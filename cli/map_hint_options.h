@@ -10,8 +10,7 @@
 namespace reliefbake {
 
 /// Adds --encoding --metric --surface --wrap --cone-max --normal-y --depth-uv --channel-order
-/// --alpha-is-height
-/// --max-bytes; those given win over the file's metadata.
+/// --alpha-is-height --relief --level --max-bytes; those given win over the file's metadata.
 void add_map_hints(CLI::App& app, MapHints& hints);
 
 } // namespace reliefbake

@@ -31,8 +31,8 @@ double require_number(const std::string& flag, const std::string& text, const Nu
 
 void add_byte_budget(CLI::App& app, std::uint64_t& bytes) {
     app.add_option("--max-bytes", bytes,
-                   "Budget for the decoded image, e.g. 4GB (default 1 GiB, and 1000 times the file's size "
-                   "above 64 MiB)")
+                   "Budget for the decoded image, e.g. 4GB (default, or 0: 1 GiB, and 1000 times the file's "
+                   "size above 64 MiB)")
         ->transform(CLI::AsSizeValue(false))
         ->type_name("BYTES");
 }

@@ -19,7 +19,7 @@ void parse_bounds(const std::string& given, HeightOptions& options) {
 
 } // namespace
 
-void add_range_option(CLI::App& app, HeightOptions& options) {
+CLI::Option* add_range_option(CLI::App& app, HeightOptions& options) {
     auto assign = [&options](const std::string& given) {
         if (given == "auto")
             options.range = RangeMode::automatic;
@@ -28,8 +28,8 @@ void add_range_option(CLI::App& app, HeightOptions& options) {
         else
             parse_bounds(given, options);
     };
-    app.add_option_function<std::string>("--range", assign,
-                                         "Source values of height 0 and 1 (default auto: integers by their "
+    return app.add_option_function<std::string>("--range", assign,
+                                         "Source values of height 0 and 1; integers count as code / largest code (default auto: integers by their "
                                          "format; floats as they are if within "
                                          "0..1, else their smallest and largest)")
         ->type_name("auto|data|LO:HI");

@@ -10,6 +10,6 @@
 namespace reliefbake {
 
 /// Adds --range auto|data|LO:HI.
-void add_range_option(CLI::App& app, HeightOptions& options);
+CLI::Option* add_range_option(CLI::App& app, HeightOptions& options);
 
 } // namespace reliefbake

@@ -6,6 +6,7 @@
 #include "formats/write_image.h"
 
 #include <charconv>
+#include <filesystem>
 
 namespace reliefbake {
 
@@ -86,11 +87,26 @@ void RenderCommand::add_to(CLI::App& app) {
     add_map_hints(app, options_.hints);
 }
 
+Result<void> RenderCommand::check_output() const {
+    std::error_code ignored;
+    const std::filesystem::path path = options_.output;
+    if (path.extension() != ".png" && path.extension() != ".PNG")
+        return fail(ErrorCode::usage, options_.output + ": pictures are written as .png");
+    for (const std::filesystem::path& input : {std::filesystem::path(options_.file), options_.hints.relief})
+        if (std::filesystem::equivalent(input, path, ignored))
+            return fail(ErrorCode::usage, options_.output + ": the output is an input file; choose another name");
+    return {};
+}
+
 Result<void> RenderCommand::run() {
+    if (Result<void> checked = check_output(); !checked) return checked;
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
 
     RenderOptions picture = options_.picture;
+    const bool repeats = map->grid.wrap_x == Wrap::repeat && map->grid.wrap_y == Wrap::repeat;
+    if (!repeats && (picture.endless || picture.tiles > 1))
+        return fail(ErrorCode::usage, "--endless, --tiles: need a map that repeats; this one is clamped");
     const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, picture.max_steps);
     if (!technique) return tl::unexpected(technique.error());
     picture.technique = technique->technique;

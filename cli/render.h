@@ -16,6 +16,8 @@ class RenderCommand : public Command {
     Result<void> run() override;
 
   private:
+    Result<void> check_output() const;
+
     struct Options {
         std::string file;
         std::string output;

@@ -35,6 +35,8 @@ Result<void> write_pictures(const std::string& folder, const VerifyReport& repor
     return {};
 }
 
+constexpr int enough_halvings = 24; // of the whole depth: 2^-24
+
 } // namespace
 
 void VerifyCommand::add_to(CLI::App& app) {
@@ -43,10 +45,12 @@ void VerifyCommand::add_to(CLI::App& app) {
     app.add_option("--pictures", options_.pictures, "Folder for pictures of every view: rendering, oracle, error, steps")
         ->type_name("DIR");
     app.option_defaults()->group("Source");
-    app.add_option("--source", options_.source, "Height map to compare the stored depth with")->type_name("HEIGHT");
-    app.add_option("--channel", options_.read.channel, "Its channel (default: the only one, else luminance)");
-    add_choice(app, "--input", options_.height.input, input_words, "What white means in it (default height)");
-    add_range_option(app, options_.height);
+    CLI::Option* source =
+        app.add_option("--source", options_.source, "Height map to compare the stored depth with")->type_name("HEIGHT");
+    for (CLI::Option* option : {app.add_option("--channel", options_.read.channel, "Its channel (default: the only one, else luminance)"),
+                                add_choice(app, "--input", options_.height.input, input_words, "What white means in it (default height)"),
+                                add_range_option(app, options_.height)})
+        option->needs(source);
     app.option_defaults()->group("Effort");
     app.add_option("--rays", options_.verify.rays, "Rays over all views, about (default 300000)")
         ->check(CLI::Range(100, 100000000));
@@ -80,6 +84,12 @@ Result<void> VerifyCommand::run() {
     if (!threads) return tl::unexpected(threads.error());
     options.threads = *threads;
     options.pictures = !options_.pictures.empty();
+    if (options.pictures) {
+        std::error_code ignored;
+        std::filesystem::create_directories(options_.pictures, ignored);
+        if (!std::filesystem::is_directory(options_.pictures, ignored))
+            return fail(ErrorCode::cannot_create, options_.pictures + ": cannot create this folder");
+    }
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
     const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, options.max_steps);
@@ -89,6 +99,10 @@ Result<void> VerifyCommand::run() {
     options.max_steps = technique->max_steps;
     options.linear_steps = technique->linear_steps;
     options.binary_steps = technique->binary_steps;
+    // What a map promises shows when its march may end and its last step is narrowed down; a shader's counts are for --steps.
+    const bool refines = technique->technique == Technique::relaxed || technique->technique == Technique::relaxed_secant;
+    if (refines && !options_.technique.steps) options.max_steps = options_.verify.max_steps;
+    if (refines && !options_.technique.binary_steps) options.binary_steps = enough_halvings;
     DepthMap source;
     if (!options_.source.empty()) {
         Result<DepthMap> read = read_source(*map);
@@ -104,6 +118,9 @@ Result<void> VerifyCommand::run() {
         const Result<void> written = write_pictures(options_.pictures, *report);
         if (!written) return written;
     }
+    if (report->verdict == Verdict::other_source)
+        return fail(ErrorCode::verification, options_.file + ": its depth is not that of " + options_.source +
+                                                 ": give the options of the bake (--channel, --input, --range), or the right file");
     if (report->verdict != Verdict::unsafe) return {};
     return fail(ErrorCode::verification, options_.file + ": unsafe: bake it again, or see which metric, surface and "
                                                          "encoding it was made for (reliefbake explain)");

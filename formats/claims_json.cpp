@@ -2,7 +2,7 @@
 
 namespace reliefbake {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImageClaims, width, height, depth, tile_width, tile_height, sample, bit_depth, deep,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImageClaims, width, height, depth, top_width, top_height, tile_width, tile_height, sample, bit_depth, deep,
                                    srgb_tagged, channels, relief)
 
 nlohmann::json claims_to_json(const ImageClaims& claims) { return claims; }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
 
 namespace reliefbake {
@@ -46,21 +47,31 @@ Result<ImageFormat> format_of(const DecodeSession::InputFile& file, const std::f
     const ssize_t size = ::pread(file.fd.get(), head.data(), head.size(), 0);
     if (size < 0) return fail(ErrorCode::no_input, path.string() + ": cannot read: " + std::generic_category().message(errno));
     if (size == 0) return fail(ErrorCode::bad_data, path.string() + ": is empty");
+    const std::string_view start(reinterpret_cast<const char*>(head.data()), std::size_t(size));
+    if (start.starts_with("DDS ") || start.starts_with("\xabKTX 20\xbb"))
+        return fail(ErrorCode::bad_data, path.string() + ": DDS and KTX2 are written, not read; read the same as one of " +
+                                             std::string(accepted_formats));
     if (const auto format = sniff_format(std::span(head).first(std::size_t(size)), path)) return *format;
     return fail(ErrorCode::bad_data, path.string() + ": is none of " + std::string(accepted_formats));
 }
 
 } // namespace
 
-Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes) {
+Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes, int level) {
     const Result<InputFile> file = open_input(path);
     if (!file) return tl::unexpected(file.error());
     const Result<ImageFormat> format = format_of(*file, path);
     if (!format) return tl::unexpected(format.error());
 
+    if (level > 0 && *format != ImageFormat::openexr && *format != ImageFormat::tiff)
+        return fail(ErrorCode::usage, path.string() + ": only EXR and TIFF files hold mip levels; a numbered file holds one alone");
+
     DecodeSession session;
     session.name_ = path.string();
     session.format_ = *format;
+    session.level_ = level;
+    session.file_bytes_ = file->bytes;
+    session.max_bytes_ = max_bytes;
     const std::uint64_t allowed = decode_budget(file->bytes, max_bytes);
     // Twice: a progressive JPEG keeps 16-bit coefficients, an interlaced PNG its rows, and the reader's copy.
     constexpr std::uint64_t boundless = 1ull << 60;
@@ -69,7 +80,7 @@ Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std
     ImageWorker& worker = ImageWorker::instance();
     session.lock_ = worker.lock();
     const Result<Message> answer =
-        worker.ask({{"do", "open"}, {"reader", reader_name(*format)}}, file->fd.get(),
+        worker.ask({{"do", "open"}, {"reader", reader_name(*format)}, {"level", level}}, file->fd.get(),
                    {decode_seconds(*format == ImageFormat::jpeg ? allowed : 0), session.memory_}, ImageWorker::Turn::first,
                    ErrorCode::bad_data, session.name_);
     if (!answer) return tl::unexpected(answer.error());
@@ -82,12 +93,16 @@ Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std
     return session;
 }
 
+Result<void> DecodeSession::check_planes(int planes) const {
+    return check_claims(claims_, file_bytes_, max_bytes_, planes, name_);
+}
+
 Result<void> DecodeSession::look_closer(const InputFile& file) {
     const auto truncated = [&] { return fail(ErrorCode::bad_data, name_ + ": is truncated: pixels lie past its end"); };
     if (format_ == ImageFormat::png && png_has_srgb_chunk(file.fd.get())) claims_.srgb_tagged = true;
     if (format_ == ImageFormat::jpeg && !jpeg_has_end(file.fd.get(), file.bytes)) return truncated();
     if (format_ == ImageFormat::tiff) {
-        const TiffFacts facts = read_tiff_facts(file.fd.get(), file.bytes);
+        const TiffFacts facts = read_tiff_facts(file.fd.get(), file.bytes, level_);
         if (!facts.pixels_in_file) return truncated();
         no_data_ = facts.no_data;
     }

@@ -17,9 +17,14 @@ namespace reliefbake {
 
 class DecodeSession {
   public:
-    /// Opens `path` in the worker and passes its header through check_claims (for `planes` float planes kept by the
-    /// caller). Holds the worker until it is destroyed. Errors: no_input, bad_data, internal.
-    static Result<DecodeSession> open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes);
+    /// Opens `path`, or a mip level of an EXR or TIFF, in the worker and passes its header through check_claims (for `planes` float planes kept by the
+    /// caller). Holds the worker until it is destroyed. Errors: no_input, bad_data, internal; usage (a level of a format
+    /// without levels).
+    static Result<DecodeSession> open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes,
+                                      int level = 0);
+
+    /// Refuses (bad_data) when the caller keeps `planes` float planes after all and the budget has no room for them.
+    Result<void> check_planes(int planes) const;
 
     const ImageClaims& claims() const { return claims_; }
     ImageFormat format() const { return format_; }
@@ -39,7 +44,9 @@ class DecodeSession {
     Result<void> look_closer(const InputFile& file);
 
     std::string name_;
+    std::uint64_t file_bytes_ = 0, max_bytes_ = 0;
     ImageFormat format_{};
+    int level_ = 0;
     ImageClaims claims_;
     std::optional<float> no_data_;
     std::uint64_t memory_ = 0;

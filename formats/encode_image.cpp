@@ -45,6 +45,8 @@ void add_common_attributes(EncodeRequest& request) {
     if (request.writer == "openexr") attributes["capDate"] = fixed_time("%Y:%m:%d %H:%M:%S");
     add_compression(request);
     if (request.writer == "tiff" && request.sample == "half") attributes["tiff:half"] = 1;
+    // What makes OpenImageIO's readers take a TIFF's further directories for mip levels, and its EXR writer make some.
+    if (!request.mips.empty()) attributes["textureformat"] = "Plain Texture";
 }
 
 int sample_size(const std::string& type) { return type == "uint8" ? 1 : type == "float" ? 4 : 2; }
@@ -52,8 +54,9 @@ int sample_size(const std::string& type) { return type == "uint8" ? 1 : type == 
 } // namespace
 
 std::uint64_t pixel_bytes(const EncodeRequest& request) {
-    return std::uint64_t(request.width) * std::uint64_t(request.height) * request.channels.size() *
-           std::uint64_t(sample_size(request.pixels));
+    std::uint64_t pixels = std::uint64_t(request.width) * std::uint64_t(request.height);
+    for (const auto& [width, height] : request.mips) pixels += std::uint64_t(width) * std::uint64_t(height);
+    return pixels * request.channels.size() * std::uint64_t(sample_size(request.pixels));
 }
 
 Result<SharedMemory> encode_image(const EncodeRequest& given, const SharedMemory& pixels, const std::string& name) {
@@ -63,6 +66,7 @@ Result<SharedMemory> encode_image(const EncodeRequest& given, const SharedMemory
     const nlohmann::json message{{"do", "encode"},          {"writer", request.writer},     {"width", request.width},
                                  {"height", request.height}, {"channels", request.channels}, {"sample", request.sample},
                                  {"pixels", request.pixels}, {"attributes", request.attributes}, {"bytes", bytes},
+                                 {"mips", request.mips},
                                  {"threads", request.threads}};
     // The pixels, the library's converted copy, the encoded bytes twice, and room for doubling vectors. Deflate at 2 MiB
     // a second is the slowest that 16-bit noise gives.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reliefbake {
@@ -20,10 +21,11 @@ struct EncodeRequest {
     std::string sample;                ///< as stored in the file
     std::string pixels;                ///< as handed over; float becomes half by rounding to nearest
     nlohmann::json attributes = nlohmann::json::object(); ///< strings and integers
+    std::vector<std::pair<int, int>> mips{}; ///< width, height of levels 1, 2, ...; EXR and TIFF, which are tiled then
     int threads = 1; ///< for formats whose blocks are compressed one by one (EXR); changes no byte
 };
 
-/// Bytes that `request.pixels` samples of the whole image take.
+/// Bytes that `request.pixels` samples of the whole image take, all its levels one behind the other.
 std::uint64_t pixel_bytes(const EncodeRequest& request);
 
 /// Encodes `pixels` (pixel_bytes(request) of them, interleaved, top row first); always untagged (no colour space), never

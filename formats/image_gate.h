@@ -17,6 +17,8 @@ struct ImageClaims {
     std::int64_t width = 0; ///< of the data window
     std::int64_t height = 0;
     std::int64_t depth = 1;
+    std::int64_t top_width = 0; ///< of mip level 0, where this is another
+    std::int64_t top_height = 0;
     std::int64_t tile_width = 0; ///< 0: not tiled
     std::int64_t tile_height = 0;
     SampleType sample = SampleType::uint8;

@@ -5,10 +5,11 @@
 // libraries, and no file can take the tool down.
 //
 // The conversation (message.h); every answer may instead be {"error": text}:
-//   open   {do, reader, memory, cpu} + file     -> claims (claims_from_json)
+//   open   {do, reader, level, memory, cpu} + file -> claims of that mip level (claims_from_json)
 //   read   {do, channels, cpu}                  -> {bytes} + shared memory, then {rows} for each block of rows in it;
 //   next   {do}  once a block has been taken    -> {rows}: float samples, interleaved in the order of `channels`
-//   encode {do, writer, width, height, channels, sample, attributes, bytes, threads, cpu} + pixels -> {bytes} + encoded file
+//   encode {do, writer, width, height, channels, sample, attributes, bytes, mips, threads, cpu} + pixels
+//                                               -> {bytes} + encoded file
 // `memory` (bytes of address space above the worker's own) and `cpu` (seconds) are the limits of that request.
 
 #include "bake/error.h"

@@ -1,6 +1,7 @@
 #include "formats/map_format.h"
 
 #include "formats/map_file.h"
+#include "formats/map_layout.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,12 +17,14 @@ bool can_hold(MapFormat format, BitDepth bits) {
     case MapFormat::tiff: return true;
     case MapFormat::openexr: return !is_unorm(bits);
     case MapFormat::targa: return bits == BitDepth::unorm8;
+    case MapFormat::dds:
+    case MapFormat::ktx2: return true;
     }
     return false;
 }
 
 const char* bits_held(MapFormat format) {
-    constexpr const char* held[] = {"8 or 16 bits", "8 or 16 bits, half or float", "half or float", "8 bits"};
+    constexpr const char* held[] = {"8 or 16 bits", "8 or 16 bits, half or float", "half or float", "8 bits", "any bits", "any bits"};
     return held[int(format)];
 }
 
@@ -34,7 +37,9 @@ Result<MapFormat> map_format_of(const std::filesystem::path& path) {
     if (extension == ".tif" || extension == ".tiff") return MapFormat::tiff;
     if (extension == ".exr") return MapFormat::openexr;
     if (extension == ".tga") return MapFormat::targa;
-    return fail(ErrorCode::usage, path.string() + ": maps are written as .png, .tif, .exr or .tga, not as '" + extension + "'");
+    if (extension == ".dds") return MapFormat::dds;
+    if (extension == ".ktx2") return MapFormat::ktx2;
+    return fail(ErrorCode::usage, path.string() + ": maps are written as .png, .tif, .exr, .tga, .dds or .ktx2, not as '" + extension + "'");
 }
 
 Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, ChannelLayout layout) {
@@ -45,6 +50,23 @@ Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, 
     if (!can_hold(*format, bits))
         return fail(ErrorCode::usage, path.string() + ": this format holds " + bits_held(*format) + "; change --bits or the extension");
     return {};
+}
+
+Result<void> check_map_format(const std::filesystem::path& path, const ReliefMapInfo& info) {
+    if (Result<void> checked = check_map_format(path, info.bits, info.layout); !checked) return checked;
+    const Result<void> layout = check_layout(info);
+    if (layout) return {};
+    return fail(layout.error().code, path.string() + ": " + layout.error().message);
+}
+
+bool holds_mips(const std::filesystem::path& path) {
+    const Result<MapFormat> format = map_format_of(path);
+    return format && *format != MapFormat::png && *format != MapFormat::targa;
+}
+
+std::filesystem::path mip_path(const std::filesystem::path& path, int level) {
+    if (level == 0) return path;
+    return path.parent_path() / (path.stem().string() + "_mip" + std::to_string(level) + path.extension().string());
 }
 
 } // namespace reliefbake

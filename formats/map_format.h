@@ -9,7 +9,7 @@
 
 namespace reliefbake {
 
-enum class MapFormat { png, tiff, openexr, targa };
+enum class MapFormat { png, tiff, openexr, targa, dds, ktx2 };
 
 /// By the file's extension; usage error for any other.
 Result<MapFormat> map_format_of(const std::filesystem::path& path);

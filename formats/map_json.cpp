@@ -1,7 +1,9 @@
 #include "formats/map_json.h"
 
+#include "formats/map_layout.h"
 #include "formats/shortest_decimal.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +19,12 @@ constexpr std::array encoding_words{"ratio", "sqrt", "radius", "normal"};
 constexpr std::array surface_words{"bilinear", "texel"};
 constexpr std::array wrap_words{"repeat", "clamp"};
 constexpr std::array normal_y_words{"gl", "dx"};
-constexpr std::array layout_words{"rgba", "named"};
+constexpr std::array layout_words{"rgba", "named", "side", "pair"};
+constexpr std::array family_words{"conservative", "relaxed", "hybrid"};
+constexpr std::array relaxed_words{"strict", "top", "slope"};
+constexpr std::array lookup_words{"filtered", "cell"};
+
+constexpr double largest_number = 1e30;
 
 // JSON has no infinity.
 constexpr const char* infinity_word = "inf";
@@ -110,8 +117,52 @@ void read_channels(const Reader& reader, MapMetadata& metadata) {
     if (names->is_array())
         for (const json& name : *names)
             if (name.is_string()) channels.push_back(name.get<std::string>());
-    if (channels.size() == 4) metadata.channels = std::move(channels);
+    // Kinds with several cones have as many channels as their layout says.
+    const bool cone = metadata.kind.value_or("cone") == "cone";
+    if (names->is_array() && channels.size() == names->size() && (!cone || channels.size() == 4))
+        metadata.channels = std::move(channels);
     else reader.bad("channels");
+}
+
+/// A whole number in [low, high].
+std::optional<int> read_count(const Reader& reader, const char* key, int low, int high) {
+    const auto number = reader.number(key, low, high);
+    if (!number) return std::nullopt;
+    if (*number != std::floor(*number)) return reader.bad(key);
+    return int(*number);
+}
+
+std::optional<bool> read_flag(const Reader& reader, const char* key) {
+    const json* value = reader.find(key);
+    if (!value) return std::nullopt;
+    if (!value->is_boolean()) return reader.bad(key);
+    return value->get<bool>();
+}
+
+/// What kinds of cones they are; files older than these keys mean the defaults.
+void read_family(const Reader& reader, MapMetadata& metadata) {
+    metadata.family = reader.word<ConeFamily>("family", family_words);
+    metadata.rays = reader.word<RelaxedRays>("relaxed", relaxed_words);
+    metadata.relaxed_slope = reader.number("relaxed_slope", 0, largest_number);
+    metadata.hybrid_delta = reader.number("hybrid_delta", 0, 1);
+    metadata.lookup = reader.word<ConeLookup>("lookup", lookup_words);
+    metadata.planes = read_count(reader, "planes", 0, 64);
+    metadata.levels = read_count(reader, "levels", 1, 64);
+    metadata.trilinear = read_flag(reader, "trilinear");
+}
+
+/// Only what can differ from the meaning of a file without the key.
+void write_family(const ReliefMapInfo& info, json& facts) {
+    facts["family"] = family_words[std::size_t(info.family)];
+    facts["lookup"] = lookup_words[std::size_t(info.lookup)];
+    if (info.family != ConeFamily::conservative) {
+        facts["relaxed"] = relaxed_words[std::size_t(info.rays)];
+        if (info.rays == RelaxedRays::slope) facts["relaxed_slope"] = info.relaxed_slope;
+    }
+    if (info.family == ConeFamily::hybrid) facts["hybrid_delta"] = info.hybrid_delta;
+    if (has_cone_planes(info.kind)) facts["planes"] = info.planes;
+    if (info.levels > 1) facts["levels"] = info.levels;
+    if (info.trilinear) facts["trilinear"] = true;
 }
 
 void read_statistics(const Reader& reader, MapMetadata& metadata) {
@@ -134,15 +185,10 @@ std::optional<float> read_cone_max(const Reader& reader) {
 
 } // namespace
 
-std::array<std::string, 4> channel_names(ChannelLayout layout) {
-    if (layout == ChannelLayout::named) return {"relief.nx", "relief.ny", "relief.cone", "relief.depth"};
-    return {"R", "G", "B", "A"};
-}
-
 json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
     json statistics = json::object();
     for (const auto& [key, value] : info.statistics) statistics[key] = number_or_word(value);
-    return {
+    json facts = {
         {"kind", info.kind},
         {"version", info.version},
         {"width", grid.width},
@@ -156,7 +202,6 @@ json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
         {"bits", bits_to_json(info.bits)},
         {"cone_max", number_or_word(shortest_decimal(info.cone_max))},
         {"layout", layout_words[std::size_t(info.layout)]},
-        {"channels", channel_names(info.layout)},
         {"normal_y", normal_y_words[std::size_t(info.normal_y)]},
         {"depth_scale", info.depth_scale},
         {"filter_delta", info.filter_delta},
@@ -166,6 +211,9 @@ json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
         {"argument_hash", info.argument_hash},
         {"statistics", std::move(statistics)},
     };
+    if (is_known_kind(info.kind)) facts["channels"] = layout_images(info)[0].channels;
+    write_family(info, facts);
+    return facts;
 }
 
 MapMetadata map_metadata_from(const std::string& text) {
@@ -173,15 +221,15 @@ MapMetadata map_metadata_from(const std::string& text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object()) return metadata;
     const Reader reader(object, metadata.bad_keys);
-    constexpr double largest = 1e30;
 
     metadata.kind = reader.text("kind");
     metadata.metric = reader.word<Metric>("metric", metric_words);
     metadata.encoding = reader.word<ConeEncoding>("encoding", encoding_words);
     metadata.surface = reader.word<SurfaceModel>("surface", surface_words);
+    metadata.layout = reader.word<ChannelLayout>("layout", layout_words);
     metadata.normal_y = reader.word<NormalY>("normal_y", normal_y_words);
     metadata.cone_max = read_cone_max(reader);
-    metadata.depth_scale = reader.number("depth_scale", 0, largest);
+    metadata.depth_scale = reader.number("depth_scale", 0, largest_number);
     metadata.pixel_aspect = reader.number("pixel_aspect", 1e-9, 1e9);
     metadata.filter_delta = reader.number("filter_delta", 0, 1);
     metadata.tolerance = reader.number("tolerance", 0, 1);
@@ -191,6 +239,7 @@ MapMetadata map_metadata_from(const std::string& text) {
     metadata.argument_hash = reader.text("argument_hash").value_or("");
     read_wrap(reader, metadata);
     read_channels(reader, metadata);
+    read_family(reader, metadata);
     read_statistics(reader, metadata);
     return metadata;
 }

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,10 +21,17 @@ struct MapMetadata {
     std::optional<ConeEncoding> encoding;
     std::optional<SurfaceModel> surface;
     std::optional<NormalY> normal_y;
+    std::optional<ChannelLayout> layout;
+    std::optional<ConeFamily> family;
+    std::optional<RelaxedRays> rays;
+    std::optional<ConeLookup> lookup;
+    std::optional<double> relaxed_slope, hybrid_delta;
+    std::optional<int> planes, levels;
+    std::optional<bool> trilinear;
     std::optional<Wrap> wrap_x, wrap_y;
     std::optional<float> cone_max;
     std::optional<double> depth_scale, pixel_aspect, filter_delta, tolerance;
-    std::optional<std::vector<std::string>> channels; ///< names of the file's channels in the order nx, ny, cone, depth
+    std::optional<std::vector<std::string>> channels; ///< names of the file's channels; of kind cone in the order nx, ny, cone, depth
     std::string guarantee, version, source_hash, argument_hash;
     std::map<std::string, double> statistics;
     /// Keys that are there and make no sense (wrong type, not finite, out of range, unknown word); such facts are empty.
@@ -34,8 +40,5 @@ struct MapMetadata {
 
 /// Reads what is there, believes nothing; any text is safe. Unknown keys are ignored: later versions may add some.
 MapMetadata map_metadata_from(const std::string& text);
-
-/// Names of a layout's channels in the order nx, ny, cone, depth.
-std::array<std::string, 4> channel_names(ChannelLayout layout);
 
 } // namespace reliefbake

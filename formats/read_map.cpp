@@ -1,138 +1,66 @@
 #include "formats/map_file.h"
 
 #include "formats/decode_session.h"
-#include "formats/map_json.h"
+#include "formats/map_facts.h"
+#include "formats/relief_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace reliefbake {
 
 namespace {
 
-constexpr int absent = -1;
-
-std::string join(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
-/// What the user says replaces what the file says, damaged or not.
-template <class T>
-void override_fact(std::optional<T>& fact, const std::optional<T>& hint, const char* key, MapMetadata& metadata) {
-    if (!hint) return;
-    fact = hint;
-    std::erase(metadata.bad_keys, key);
-}
-
-void apply_hints(const MapHints& hints, MapMetadata& metadata) {
-    override_fact(metadata.metric, hints.metric, "metric", metadata);
-    override_fact(metadata.encoding, hints.encoding, "encoding", metadata);
-    override_fact(metadata.surface, hints.surface, "surface", metadata);
-    override_fact(metadata.normal_y, hints.normal_y, "normal_y", metadata);
-    override_fact(metadata.cone_max, hints.cone_max, "cone_max", metadata);
-    override_fact(metadata.depth_scale, hints.depth_scale, "depth_scale", metadata);
-    if (hints.wrap_x) metadata.wrap_x = hints.wrap_x;
-    if (hints.wrap_y) metadata.wrap_y = hints.wrap_y;
-    if (metadata.wrap_x && metadata.wrap_y) std::erase(metadata.bad_keys, "wrap");
-}
-
-/// The cap belongs to the codes of ratio and sqrt; radius and normal decode without one.
-bool needs_cone_max(const MapMetadata& metadata) {
-    return !metadata.encoding || *metadata.encoding == ConeEncoding::ratio || *metadata.encoding == ConeEncoding::sqrt;
-}
-
-Result<void> check_facts(const MapMetadata& metadata, bool has_order, bool is_targa, const std::string& name) {
-    if (!metadata.bad_keys.empty())
-        return fail(ErrorCode::bad_data, name + ": its metadata makes no sense at " + join(metadata.bad_keys));
-    std::vector<std::string> missing;
-    if (!has_order) missing.push_back("--channel-order");
-    if (!metadata.metric) missing.push_back("--metric");
-    if (!metadata.encoding) missing.push_back("--encoding");
-    if (!metadata.surface) missing.push_back("--surface");
-    if (!metadata.wrap_x || !metadata.wrap_y) missing.push_back("--wrap");
-    if (!metadata.cone_max && needs_cone_max(metadata)) missing.push_back("--cone-max");
-    if (missing.empty()) return {};
-    return fail(ErrorCode::bad_data, name + (is_targa ? ": a TGA cannot say how to read it" : ": does not say how to read it") +
-                                         "; add " + join(missing));
-}
-
-using ChannelIndices = std::array<int, 4>; ///< of nx, ny, cone, depth in the file; `absent` where there is none
-
-Result<ChannelIndices> indices_of(const std::vector<std::string>& wanted, const std::vector<std::string>& held,
-                                  const std::string& name) {
-    ChannelIndices indices;
-    for (std::size_t c = 0; c < indices.size(); ++c) {
-        const auto found = std::find(held.begin(), held.end(), wanted[c]);
-        if (found == held.end() && wanted[c] != "-")
-            return fail(ErrorCode::bad_data, name + ": has no channel " + wanted[c] + "; it has " + join(held));
-        indices[c] = found == held.end() ? absent : int(found - held.begin());
+/// Index in the file of each of the image's channels; -1 for "-".
+Result<std::vector<int>> indices_of(const LayoutImage& image, const std::vector<std::string>& held, const std::string& name) {
+    std::vector<int> indices;
+    for (const std::string& channel : image.channels) {
+        const auto found = std::find(held.begin(), held.end(), channel);
+        if (found == held.end() && channel != "-")
+            return fail(ErrorCode::bad_data, name + ": has no channel " + channel + "; it has " + join(held));
+        indices.push_back(found == held.end() ? -1 : int(found - held.begin()));
     }
     return indices;
 }
 
-/// "RGBA" as the four names R, G, B, A.
-Result<std::vector<std::string>> names_of(const std::string& order) {
-    const bool letters = order.find_first_not_of("RGBAY-") == order.npos;
-    if (order.size() != 4 || !letters)
-        return fail(ErrorCode::usage, "channel order '" + order +
-                                          "': four letters of R, G, B, A, Y or '-' are needed, for nx, ny, cone and depth");
-    std::vector<std::string> names;
-    for (const char letter : order) names.emplace_back(1, letter);
-    return names;
+/// A channel of the file on its way into a plane.
+struct Way {
+    int sample;         ///< position among the samples of a pixel
+    std::size_t column; ///< of the file where the plane's first one lies
+    Image<float>* plane;
+};
+
+/// One way a plane: a stack that repeats its last level fills it once.
+std::vector<Way> ways_into(ReliefMap& map, const LayoutImage& image, const std::vector<int>& indices,
+                           std::vector<int>& channels) {
+    std::vector<Way> ways;
+    for (std::size_t c = 0; c < indices.size(); ++c) {
+        if (indices[c] < 0) continue;
+        for (std::size_t part = 0; part < image.parts.size(); ++part) {
+            Image<float>& plane = plane_of(map, image.parts[part][c]);
+            if (!plane.empty()) continue;
+            plane = Image<float>(map.grid.width, map.grid.height);
+            ways.push_back({int(channels.size()), part * std::size_t(map.grid.width), &plane});
+        }
+        channels.push_back(indices[c]);
+    }
+    return ways;
 }
 
-Result<BitDepth> bits_of(const ImageClaims& claims, const std::string& name) {
-    const bool whole = claims.bit_depth == 8 * sample_bytes(claims.sample);
-    if (whole && claims.sample == SampleType::uint8) return BitDepth::unorm8;
-    if (whole && claims.sample == SampleType::uint16) return BitDepth::unorm16;
-    if (claims.sample == SampleType::half) return BitDepth::half;
-    if (claims.sample == SampleType::float32) return BitDepth::float32;
-    return fail(ErrorCode::bad_data, name + ": maps have unsigned 8 or 16 bit, half or float samples; these are others");
-}
-
-ReliefMapInfo info_of(const MapMetadata& metadata, BitDepth bits) {
-    ReliefMapInfo info;
-    info.kind = metadata.kind.value_or(info.kind);
-    info.metric = *metadata.metric;
-    info.encoding = *metadata.encoding;
-    info.bits = bits;
-    info.surface = *metadata.surface;
-    info.layout = metadata.channels && (*metadata.channels)[0] == channel_names(ChannelLayout::named)[0] ? ChannelLayout::named
-                                                                                                       : ChannelLayout::rgba;
-    info.normal_y = metadata.normal_y.value_or(info.normal_y);
-    info.cone_max = metadata.cone_max.value_or(std::numeric_limits<float>::infinity());
-    info.depth_scale = metadata.depth_scale.value_or(info.depth_scale);
-    info.filter_delta = metadata.filter_delta.value_or(info.filter_delta);
-    info.tolerance = metadata.tolerance.value_or(info.tolerance);
-    info.guarantee = metadata.guarantee;
-    info.version = metadata.version;
-    info.source_hash = metadata.source_hash;
-    info.argument_hash = metadata.argument_hash;
-    info.statistics = metadata.statistics;
-    return info;
-}
-
-Result<void> read_planes(DecodeSession& session, const ChannelIndices& indices, ReliefMap& map) {
-    Image<float>* const planes[] = {&map.normal_x, &map.normal_y, &map.cone, &map.depth};
+Result<void> read_planes(DecodeSession& session, const LayoutImage& image, ReliefMap& map, const std::string& name) {
+    const Result<std::vector<int>> indices = indices_of(image, session.claims().channels, name);
+    if (!indices) return tl::unexpected(indices.error());
     std::vector<int> channels;
-    std::vector<Image<float>*> filled;
-    for (std::size_t c = 0; c < indices.size(); ++c)
-        if (indices[c] != absent) {
-            *planes[c] = Image<float>(map.grid.width, map.grid.height);
-            channels.push_back(indices[c]);
-            filled.push_back(planes[c]);
-        }
+    const std::vector<Way> ways = ways_into(map, image, *indices, channels);
     if (channels.empty()) return fail(ErrorCode::usage, "channel order '----' leaves nothing to read");
+    const std::size_t file_width = std::size_t(session.claims().width);
     return session.read(channels, [&](int y, int rows, const float* samples) {
-        const std::size_t count = std::size_t(rows) * std::size_t(map.grid.width);
-        for (std::size_t c = 0; c < filled.size(); ++c) {
-            float* out = filled[c]->row(y);
-            for (std::size_t i = 0; i < count; ++i) out[i] = samples[i * filled.size() + c];
-        }
+        for (const Way& way : ways)
+            for (int row = 0; row < rows; ++row) {
+                const float* from = samples + (std::size_t(row) * file_width + way.column) * channels.size() + way.sample;
+                float* out = way.plane->row(y + row);
+                for (int x = 0; x < map.grid.width; ++x) out[x] = from[std::size_t(x) * channels.size()];
+            }
     });
 }
 
@@ -145,45 +73,65 @@ void turn_heights_to_depths(Image<float>& depth, BitDepth bits) {
 /// Floating formats can hold what no map means; unorm ones cannot.
 Result<void> check_values(const ReliefMap& map, const std::string& name) {
     const auto good_depth = [](float v) { return v >= 0 && v <= 1; };
+    const auto good_cone = [](float v) { return v >= 0; };
     if (!std::all_of(map.depth.begin(), map.depth.end(), good_depth))
         return fail(ErrorCode::bad_data, name + ": its depth channel leaves 0..1");
-    if (!std::all_of(map.cone.begin(), map.cone.end(), [](float v) { return v >= 0; }))
+    const auto good_cones = [&](const Image<float>& plane) { return std::all_of(plane.begin(), plane.end(), good_cone); };
+    if (!good_cones(map.cone) || !std::all_of(map.cone_planes.begin(), map.cone_planes.end(), good_cones))
         return fail(ErrorCode::bad_data, name + ": its cone channel holds negative values or NaN");
     return {};
+}
+
+/// The file that bears the map's name: all of its facts, and the planes in it.
+Result<MapFacts> read_first(const std::filesystem::path& path, const MapHints& hints, ReliefMap& map) {
+    constexpr int usual_planes = 4;
+    const std::string name = path.string();
+    Result<DecodeSession> session = DecodeSession::open(path, hints.max_bytes, usual_planes, hints.level);
+    if (!session) return tl::unexpected(session.error());
+    Result<MapFacts> facts = map_facts(session->claims(), session->format() == ImageFormat::targa, hints, name);
+    if (!facts) return facts;
+    map.info = facts->info;
+    map.grid = facts->grid;
+    map.cone_planes.resize(std::size_t(map.info.planes));
+    if (facts->images.empty()) return facts;
+    const Result<void> read = session->check_planes(usual_planes + map.info.planes).and_then([&] {
+        return read_planes(*session, facts->images[0], map, name);
+    });
+    if (!read) return tl::unexpected(read.error());
+    return facts;
+}
+
+/// The other file of a pair.
+Result<void> read_second(const std::filesystem::path& path, const LayoutImage& image, const MapHints& hints, ReliefMap& map) {
+    const std::string name = path.string();
+    Result<DecodeSession> session = DecodeSession::open(path, hints.max_bytes, 4, hints.level);
+    if (!session) return tl::unexpected(session.error());
+    const Result<MapFacts> facts = map_facts(session->claims(), false, hints, name);
+    if (!facts) return tl::unexpected(facts.error());
+    if (facts->grid != map.grid || facts->info.bits != map.info.bits || facts->info.argument_hash != map.info.argument_hash)
+        return fail(ErrorCode::bad_data, name + ": is not the second half of its pair: it was baked otherwise");
+    return read_planes(*session, image, map, name);
 }
 
 } // namespace
 
 Result<ReliefMap> read_map(const std::filesystem::path& path, const MapHints& hints) {
-    const std::string name = path.string();
-    Result<DecodeSession> session = DecodeSession::open(path, hints.max_bytes, 4);
-    if (!session) return tl::unexpected(session.error());
-    const ImageClaims& claims = session->claims();
-
-    // Learn how to read it.
-    MapMetadata metadata = map_metadata_from(claims.relief);
-    apply_hints(hints, metadata);
-    if (!hints.channel_order.empty()) {
-        Result<std::vector<std::string>> names = names_of(hints.channel_order);
-        if (!names) return tl::unexpected(names.error());
-        metadata.channels = std::move(*names);
-        std::erase(metadata.bad_keys, "channels");
-    }
-    const bool is_targa = session->format() == ImageFormat::targa;
-    if (Result<void> facts = check_facts(metadata, metadata.channels.has_value(), is_targa, name); !facts)
-        return tl::unexpected(facts.error());
-    const Result<BitDepth> bits = bits_of(claims, name);
-    if (!bits) return tl::unexpected(bits.error());
-    const Result<ChannelIndices> indices = indices_of(*metadata.channels, claims.channels, name);
-    if (!indices) return tl::unexpected(indices.error());
-
-    // Read it.
+    // Read the planes that the map's own files hold.
     ReliefMap map;
-    map.info = info_of(metadata, *bits);
-    map.grid = {int(claims.width), int(claims.height), *metadata.wrap_x, *metadata.wrap_y, metadata.pixel_aspect.value_or(1)};
-    if (Result<void> read = read_planes(*session, *indices, map); !read) return tl::unexpected(read.error());
-    if (hints.alpha_is_height) turn_heights_to_depths(map.depth, *bits);
-    if (Result<void> values = check_values(map, name); !values) return tl::unexpected(values.error());
+    const Result<MapFacts> facts = read_first(path, hints, map);
+    if (!facts) return tl::unexpected(facts.error());
+    for (std::size_t i = 1; i < facts->images.size(); ++i) {
+        const LayoutImage& image = facts->images[i];
+        if (Result<void> read = read_second(image_path(path, image), image, hints, map); !read)
+            return tl::unexpected(read.error());
+    }
+    if (hints.alpha_is_height && map.depth.empty())
+        return fail(ErrorCode::usage, path.string() + ": --alpha-is-height: this file holds no depth channel");
+    if (hints.alpha_is_height) turn_heights_to_depths(map.depth, map.info.bits);
+
+    // Take the rest from a relief file.
+    const Result<void> whole = take_relief(map, path, hints).and_then([&] { return check_values(map, path.string()); });
+    if (!whole) return tl::unexpected(whole.error());
     return map;
 }
 

@@ -27,11 +27,16 @@ class Reader {
         big_tiff_ = number(head, 2, 2) == 43;
     }
 
-    std::map<std::uint64_t, Entry> first_directory() const {
+    std::map<std::uint64_t, Entry> directory(int index) const {
         const std::uint64_t word = big_tiff_ ? 8 : 4, entry_bytes = big_tiff_ ? 20 : 12, count_bytes = big_tiff_ ? 8 : 2;
-        const std::uint64_t directory = number(bytes(big_tiff_ ? 8 : 4, word), 0, word);
         constexpr std::uint64_t most_entries = 4096;
-        const std::uint64_t count = std::min(number(bytes(directory, count_bytes), 0, count_bytes), most_entries);
+        const auto entries_at = [&](std::uint64_t at) {
+            return std::min(number(bytes(at, count_bytes), 0, count_bytes), most_entries);
+        };
+        std::uint64_t directory = number(bytes(big_tiff_ ? 8 : 4, word), 0, word);
+        for (int i = 0; i < index; ++i)
+            directory = number(bytes(directory + count_bytes + entries_at(directory) * entry_bytes, word), 0, word);
+        const std::uint64_t count = entries_at(directory);
         const std::string table = bytes(directory + count_bytes, count * entry_bytes);
 
         std::map<std::uint64_t, Entry> entries;
@@ -96,9 +101,9 @@ bool all_inside(const std::vector<std::uint64_t>& offsets, const std::vector<std
 
 } // namespace
 
-TiffFacts read_tiff_facts(int fd, std::uint64_t file_bytes) {
+TiffFacts read_tiff_facts(int fd, std::uint64_t file_bytes, int index) {
     const Reader reader(fd, file_bytes);
-    const std::map<std::uint64_t, Entry> entries = reader.first_directory();
+    const std::map<std::uint64_t, Entry> entries = reader.directory(index);
     const auto numbers = [&](Tag tag) {
         const auto entry = entries.find(tag);
         return entry == entries.end() ? std::vector<std::uint64_t>() : reader.numbers(entry->second);

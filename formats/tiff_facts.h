@@ -7,12 +7,12 @@
 namespace reliefbake {
 
 struct TiffFacts {
-    bool pixels_in_file = true;    ///< every strip or tile of the first image ends inside the file
+    bool pixels_in_file = true;    ///< every strip or tile of the directory ends inside the file
     std::optional<float> no_data;  ///< GDAL_NODATA: the value that means "no sample here"
 };
 
-/// Reads the first directory of a classic or Big TIFF (TIFF 6.0, section 2; BigTIFF design, AWare Systems). Any bytes are
+/// Reads directory number `index` (mip level `index` of a texture) of a classic or Big TIFF (TIFF 6.0, section 2; BigTIFF design, AWare Systems). Any bytes are
 /// safe; what cannot be followed is left to the decoder's judgement.
-TiffFacts read_tiff_facts(int fd, std::uint64_t file_bytes);
+TiffFacts read_tiff_facts(int fd, std::uint64_t file_bytes, int index = 0);
 
 } // namespace reliefbake

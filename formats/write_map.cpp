@@ -4,8 +4,10 @@
 #include "formats/encode_image.h"
 #include "formats/map_format.h"
 #include "formats/map_json.h"
+#include "formats/map_layout.h"
+#include "formats/map_pixels.h"
+#include "formats/texture_file.h"
 
-#include <array>
 #include <cassert>
 #include <cstdint>
 
@@ -13,77 +15,112 @@ namespace reliefbake {
 
 namespace {
 
-using Planes = std::array<const Image<float>*, 4>;
+namespace fs = std::filesystem;
 
-/// Interleaves the planes as codes (unorm) or as they are.
-template <class Sample>
-void interleave(const Planes& planes, float scale, Sample* out) {
-    for (std::size_t c = 0; c < planes.size(); ++c)
-        for (std::size_t i = 0; i < planes[c]->size(); ++i) {
-            const float value = (*planes[c])[i];
-            if constexpr (std::is_integral_v<Sample>) {
-                assert(value >= 0 && value <= 1);
-                out[4 * i + c] = Sample(value * scale + 0.5f); // value is code / max_code up to rounding
-            } else {
-                out[4 * i + c] = value;
-            }
-        }
-}
+using Levels = std::span<const ReliefMap>;
 
-void interleave_as(BitDepth bits, const Planes& planes, std::byte* out) {
-    const float scale = float(max_code(bits));
-    if (bits == BitDepth::unorm8) interleave(planes, scale, reinterpret_cast<std::uint8_t*>(out));
-    else if (bits == BitDepth::unorm16) interleave(planes, scale, reinterpret_cast<std::uint16_t*>(out));
-    else interleave(planes, scale, reinterpret_cast<float*>(out));
+std::string metadata_text(const ReliefMap& map) {
+    // ASCII: PNG's tEXt is Latin-1.
+    return to_json(map.info, map.grid).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 /// Where each format keeps a text that survives: PNG a tEXt chunk, EXR an attribute (and the important words one by one,
 /// for people with exrheader), TIFF ImageDescription; TGA has 324 characters, too few.
 nlohmann::json metadata_attributes(MapFormat format, const ReliefMap& map) {
     const nlohmann::json facts = to_json(map.info, map.grid);
-    const std::string text = facts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace); // ASCII: tEXt is Latin-1
+    const std::string text = metadata_text(map);
     nlohmann::json attributes = nlohmann::json::object();
     if (format == MapFormat::png || format == MapFormat::openexr) attributes["reliefbake"] = text;
     if (format == MapFormat::tiff) attributes["ImageDescription"] = text;
     if (format == MapFormat::openexr)
-        for (const char* key : {"kind", "metric", "encoding", "surface", "normal_y", "guarantee"})
+        for (const char* key : {"kind", "family", "metric", "encoding", "surface", "normal_y", "guarantee"})
             attributes[std::string("reliefbake.") + key] = facts[key];
     return attributes;
 }
 
-EncodeRequest request_for(MapFormat format, const ReliefMap& map) {
+EncodeRequest request_for(MapFormat format, Levels levels, const LayoutImage& image) {
     constexpr const char* writers[] = {"png", "tiff", "openexr", "targa"};
     constexpr const char* samples[] = {"uint8", "uint16", "half", "float"};
-    const auto names = channel_names(map.info.layout);
+    const ReliefMap& map = levels[0];
     EncodeRequest request;
     request.writer = writers[int(format)];
-    request.width = map.grid.width;
+    request.width = image_width(map, image);
     request.height = map.grid.height;
-    request.channels.assign(names.begin(), names.end());
+    request.channels = image.channels;
     request.sample = samples[int(map.info.bits)];
     request.pixels = is_unorm(map.info.bits) ? request.sample : "float";
     request.attributes = metadata_attributes(format, map);
+    for (const ReliefMap& level : levels.subspan(1)) request.mips.emplace_back(image_width(level, image), level.grid.height);
     return request;
 }
 
-} // namespace
-
-Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map, int threads) {
-    if (Result<void> checked = check_map_format(path, map.info.bits, map.info.layout); !checked) return checked;
-    const Planes planes{&map.normal_x, &map.normal_y, &map.cone, &map.depth};
-    for ([[maybe_unused]] const Image<float>* plane : planes)
-        assert(plane->width() == map.grid.width && plane->height() == map.grid.height);
-
-    EncodeRequest request = request_for(*map_format_of(path), map);
+/// PNG, TIFF, EXR and TGA, by OpenImageIO in the helper.
+Result<void> write_by_helper(const fs::path& path, Levels levels, const LayoutImage& image, int threads) {
+    EncodeRequest request = request_for(*map_format_of(path), levels, image);
     request.threads = threads;
     Result<SharedMemory> file = [&]() -> Result<SharedMemory> {
         const auto pixels = SharedMemory::create(pixel_bytes(request));
         if (!pixels) return fail(ErrorCode::write_failed, path.string() + ": no memory to encode it in");
-        interleave_as(map.info.bits, planes, pixels->bytes().data());
+        const BitDepth as = is_unorm(levels[0].info.bits) ? levels[0].info.bits : BitDepth::float32;
+        std::byte* out = pixels->bytes().data();
+        for (const ReliefMap& level : levels) {
+            interleave(level, image, as, out);
+            out += interleaved_bytes(level, image, as);
+        }
         return encode_image(request, *pixels, path.string());
     }();
     if (!file) return tl::unexpected(file.error());
     return write_file_atomically(path, file->bytes());
+}
+
+/// DDS and KTX2, by us.
+Result<void> write_texture(const fs::path& path, Levels levels, const LayoutImage& image) {
+    const BitDepth bits = levels[0].info.bits;
+    std::vector<std::vector<std::byte>> pixels;
+    std::vector<TextureLevel> textures;
+    for (const ReliefMap& level : levels) {
+        pixels.emplace_back(interleaved_bytes(level, image, bits));
+        interleave(level, image, bits, pixels.back().data());
+        textures.push_back({image_width(level, image), level.grid.height, pixels.back()});
+    }
+    if (*map_format_of(path) == MapFormat::dds) return write_file_atomically(path, encode_dds(bits, textures));
+    return write_file_atomically(path, encode_ktx2(bits, textures, metadata_text(levels[0]), "reliefbake " RELIEFBAKE_VERSION));
+}
+
+void assert_whole([[maybe_unused]] const ReliefMap& map, const LayoutImage& image) {
+    for ([[maybe_unused]] const std::vector<int>& part : image.parts)
+        for ([[maybe_unused]] const int plane : part)
+            assert(plane_of(map, plane).width() == map.grid.width && plane_of(map, plane).height() == map.grid.height);
+}
+
+Result<void> write_in_one(const fs::path& path, Levels levels, int threads) {
+    const MapFormat format = *map_format_of(path);
+    for (const LayoutImage& image : layout_images(levels[0].info)) {
+        for (const ReliefMap& level : levels) assert_whole(level, image);
+        const fs::path file = image_path(path, image);
+        const bool own = format == MapFormat::dds || format == MapFormat::ktx2;
+        const Result<void> written = own ? write_texture(file, levels, image) : write_by_helper(file, levels, image, threads);
+        if (!written) return written;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> write_map(const fs::path& path, const ReliefMap& map, int threads) {
+    if (Result<void> checked = check_map_format(path, map.info); !checked) return checked;
+    assert(map.info.planes == int(map.cone_planes.size()));
+    return write_in_one(path, std::span(&map, 1), threads);
+}
+
+Result<void> write_map_levels(const fs::path& path, std::span<const ReliefMap> levels, int threads) {
+    if (levels[0].info.layout == ChannelLayout::side && levels.size() > 1)
+        return fail(ErrorCode::usage, path.string() + ": mip levels cannot lie side by side; choose the layout pair or named");
+    if (Result<void> checked = check_map_format(path, levels[0].info); !checked) return checked;
+    if (holds_mips(path)) return write_in_one(path, levels, threads);
+    for (std::size_t n = 0; n < levels.size(); ++n)
+        if (Result<void> written = write_map(mip_path(path, int(n)), levels[n], threads); !written) return written;
+    return {};
 }
 
 } // namespace reliefbake

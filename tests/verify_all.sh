@@ -101,7 +101,7 @@ for bits in "${all_bits[@]}"; do
 done | xargs -0 -r -P "$jobs" -n 1 "$here/${0##*/}" --case
 cat "$results"/* >"$scratch/lines"
 
-jq -rs --arg seconds $SECONDS --arg version "$("$tool" --version)" '
+jq -rs --arg version "$("$tool" --version)" '
     def percent: . * 1e6 | round | . / 1e4;
     def dead($encoding): [.[] | select(.bits == "8" and .encoding == $encoding) | .zero_codes][0] // "-" | tostring;
     "| map | size | wrap | rays | missed | points | violations | early, worst | out of steps, worst | steps, mean | steps, max | code 0 at 8 bits: ratio / sqrt / radius / normal | tightness |",
@@ -115,7 +115,7 @@ jq -rs --arg seconds $SECONDS --arg version "$("$tool" --version)" '
         ([.[] | select(.bits == "float" and .encoding == "ratio") | .tightness][0] // 0 | . * 1e4 | round / 1e4)
     ] | map(tostring) | "| " + join(" | ") + " |"),
     "",
-    "\($version): \(length) maps baked and verified in \($seconds) s: \(map(.rays // 0) | add) rays, \(map(.missed // 0) | add) missed; "
+    "\($version): \(length) maps baked and verified: \(map(.rays // 0) | add) rays, \(map(.missed // 0) | add) missed; "
     + "\(map(.points // 0) | add) points, \(map(.violations // 0) | add) violations; \(map(select(.error)) | length) failures."
     ' "$scratch/lines" | tee "$scratch/table"
 if [[ $table ]]; then "$here/put_table.sh" "$table" <"$scratch/table"; fi

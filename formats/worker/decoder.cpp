@@ -114,15 +114,21 @@ void use_exr_threads(int threads) {
     OIIO::attribute("exr_threads", threads > 1 ? threads : -1); // -1: none beside the caller's
 }
 
-Decoder::Decoder(const std::string& reader, int fd)
-    : path_("/proc/self/fd/" + std::to_string(fd)), input_(OIIO::ImageInput::create(reader)) {
+Decoder::Decoder(const std::string& reader, int fd, int level)
+    : path_("/proc/self/fd/" + std::to_string(fd)), input_(OIIO::ImageInput::create(reader)), level_(level) {
     if (!input_) throw Refusal("this build of OpenImageIO has no " + reader + " reader");
     use_exr_threads(1);
     // Alpha is data here: hand out the stored numbers, not premultiplied ones.
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
     if (!input_->open(path_, spec_, wishes)) throw Refusal(one_line(input_->geterror(), path_));
+    const int top_width = spec_.width, top_height = spec_.height;
+    if (level_ > 0 && !input_->seek_subimage(0, level_))
+        throw Refusal("has no mip level " + std::to_string(level_));
+    spec_ = input_->spec();
     claims_ = claims_of(spec_, reader);
+    claims_.top_width = top_width;
+    claims_.top_height = top_height;
     if (claims_.sample == SampleType::float64 && spec_.height == 1)
         throw Refusal("cannot be decoded: OpenImageIO delivers nothing for a single row of 64-bit samples");
 }
@@ -152,9 +158,9 @@ void Decoder::read_native(int y_begin, int y_end) {
     const OIIO::TypeDesc read_as = claims_.sample == SampleType::half ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : spec_.format;
     const bool ok =
         spec_.tile_width > 0
-            ? input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, spec_.y + y_begin, spec_.y + y_end, spec_.z,
+            ? input_->read_tiles(0, level_, spec_.x, spec_.x + spec_.width, spec_.y + y_begin, spec_.y + y_end, spec_.z,
                                  spec_.z + 1, first_channel_, end_channel_, read_as, native_.data())
-            : input_->read_scanlines(0, 0, spec_.y + y_begin, spec_.y + y_end, spec_.z, first_channel_, end_channel_,
+            : input_->read_scanlines(0, level_, spec_.y + y_begin, spec_.y + y_end, spec_.z, first_channel_, end_channel_,
                                      read_as, native_.data());
     if (!ok) throw Refusal(one_line(input_->geterror(), path_));
 }

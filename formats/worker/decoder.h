@@ -22,8 +22,8 @@ void use_exr_threads(int threads);
 
 class Decoder {
   public:
-    /// Opens the file behind `fd` with the named reader and no other. Throws Refusal.
-    Decoder(const std::string& reader, int fd);
+    /// Opens mip level `level` of the file behind `fd` with the named reader and no other. Throws Refusal.
+    Decoder(const std::string& reader, int fd, int level);
 
     const ImageClaims& claims() const { return claims_; }
 
@@ -44,6 +44,7 @@ class Decoder {
     OIIO::ImageSpec spec_;
     ImageClaims claims_;
     std::vector<int> channels_;
+    int level_ = 0;
     int first_channel_ = 0, end_channel_ = 0; ///< the smallest range that holds channels_
     int block_rows_ = 0;
     int next_y_ = 0;

@@ -51,7 +51,8 @@ class Conversation {
     Answer open(Message& request) {
         forget();
         file_ = std::move(request.fd);
-        decoder_.emplace(request.body.at("reader").get<std::string>(), file_.get());
+        decoder_.emplace(request.body.at("reader").get<std::string>(), file_.get(),
+                         request.body.at("level").get<int>());
         return {claims_to_json(decoder_->claims())};
     }
 

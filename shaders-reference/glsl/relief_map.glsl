@@ -13,6 +13,7 @@
 uniform sampler2D relief_map;   // linear filter, no mips; wrap as baked
 uniform float relief_cone_max;  // ratio of the largest code (ratio, sqrt)
 uniform float relief_aspect;    // R = height / width * pixel aspect
+uniform float relief_code_delta; // how far it may err in a code, for `radius`: 2/255 for 8-bit textures whose filter rounds to 8 bits, else 0
 uniform float relief_delta;     // how far the sampler's filter may err in height; 0 for exact filters
 uniform ivec2 relief_repeat;    // per axis: 1 repeat, 0 clamp
 uniform float relief_depth_scale; // depth of the relief, texture widths
@@ -27,7 +28,9 @@ float relief_ratio(float code, float depth) {
 #elif RELIEF_ENCODING == 1
     return code * code * relief_cone_max;
 #elif RELIEF_ENCODING == 2
-    return depth > 0.0 ? code / depth : relief_cone_max;
+    // Where a sampler's weights have 8 bits, both may be off, and to the side that widens the cone.
+    float largest_depth = depth + relief_delta;
+    return largest_depth > 0.0 ? max(code - relief_code_delta, 0.0) / largest_depth : relief_cone_max;
 #else
     return code / sqrt(max(1.0 - code * code, 1e-12));
 #endif

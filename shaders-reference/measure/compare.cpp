@@ -31,7 +31,7 @@ Comparison compare_row(const BilinearSurface& surface, const Rendering& renderin
 
         const double tolerance = ray_tolerance(ray, t, options);
         sum.tolerance_max = std::max(sum.tolerance_max, tolerance);
-        const auto lowered = first_hit(surface, ray, tolerance, t);
+        const auto lowered = first_hit(surface, ray, tolerance + options.allowed_depth, t);
         if (lowered && lowered->t < t) ++sum.missed;
         else if (!first_hit(surface, ray, -tolerance - 2 * options.filter_delta, t)) ++sum.early;
         const double error = (1 - t) - surface.height(ray.u + t * ray.du, ray.v + t * ray.dv);

@@ -15,6 +15,8 @@ struct CompareOptions {
     double steepest = 0;
     /// Largest height error of the sampler; the march subtracts it, so a hit may lie twice as high and not be early.
     double filter_delta = 0;
+    /// How far below the first hit's surface a hit may lie besides (ConeFamily::hybrid).
+    double allowed_depth = 0;
     int threads = 0; ///< 0: all; the result does not depend on it
 };
 

@@ -21,16 +21,19 @@ double filtered(const Image<float>& channel, const TexelGrid& grid, double u, do
 
 } // namespace
 
-double sampled_ratio(const ReliefMap& map, double u, double v, Fetch fetch) {
+double sampled_ratio(const ReliefMap& map, const Image<float>& codes, double u, double v, Fetch fetch) {
     const TexelGrid& grid = map.grid;
     double code = 0, depth = 0;
     if (fetch == Fetch::bilinear) {
-        code = filtered(map.cone, grid, u, v);
+        code = filtered(codes, grid, u, v);
+        depth = filtered(map.depth, grid, u, v);
+    } else if (fetch == Fetch::cell) {
+        code = codes(grid.address_x(int(std::floor(u * grid.width - 0.5))), grid.address_y(int(std::floor(v * grid.height - 0.5))));
         depth = filtered(map.depth, grid, u, v);
     } else {
         const int i = grid.address_x(int(std::floor(u * grid.width)));
         const int j = grid.address_y(int(std::floor(v * grid.height)));
-        code = map.cone(i, j);
+        code = codes(i, j);
         depth = map.depth(i, j);
     }
     return decode_ratio(code, depth, map.info.encoding, map.info.cone_max);

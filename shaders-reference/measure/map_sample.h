@@ -5,9 +5,18 @@
 
 namespace reliefbake {
 
-enum class Fetch { bilinear, nearest };
+enum class Fetch {
+    bilinear,
+    nearest,
+    cell, ///< ConeLookup::cell: the code of the cell, beside the filtered depth
+};
 
-/// Cone ratio that a shader decodes at (u, v): the stored codes are filtered, then decoded.
-double sampled_ratio(const ReliefMap& map, double u, double v, Fetch fetch);
+/// Cone ratio that a shader decodes at (u, v) from one of the map's planes of codes: they are filtered, then decoded.
+double sampled_ratio(const ReliefMap& map, const Image<float>& codes, double u, double v, Fetch fetch);
+
+/// Of a map of kind cone.
+inline double sampled_ratio(const ReliefMap& map, double u, double v, Fetch fetch) {
+    return sampled_ratio(map, map.cone, u, v, fetch);
+}
 
 } // namespace reliefbake

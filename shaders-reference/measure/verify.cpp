@@ -74,13 +74,16 @@ Result<double> largest_difference(const DepthMap& stored, const DepthMap& source
 Verdict judge(const ReliefMap& map, const ConeCheck& cones, const Comparison& rays) {
     if (cones.violations > 0) return Verdict::unsafe;
     if (rays.missed == 0) return Verdict::safe;
-    return map.info.surface == SurfaceModel::texel ? Verdict::not_conservative : Verdict::unsafe;
+    const bool promised = map.info.surface == SurfaceModel::bilinear &&
+                          (map.info.family == ConeFamily::conservative || map.info.rays == RelaxedRays::strict);
+    return promised ? Verdict::unsafe : Verdict::not_conservative;
 }
 
 } // namespace
 
 Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) {
     VerifyReport report;
+    if (map.depth.empty()) return fail(ErrorCode::usage, "the map has no depth channel: there is no surface to judge by");
     const DepthMap depth = stored_depth(map);
     if (options.source) {
         const Result<double> difference = largest_difference(depth, *options.source);
@@ -97,11 +100,13 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     check.points = options.points;
     check.seed = options.seed;
     check.threads = options.threads;
-    report.cones = check_cones(map, surface, check);
+    if (has_cones(map)) report.cones = check_cones(map, surface, check);
     TightnessOptions tight;
     tight.crop = options.crop;
     tight.threads = options.threads;
-    if (tight.crop > 0) report.tightness = tightness(map, surface, tight);
+    // It compares with what one conservative, filtered cone a texel could be.
+    const bool comparable = has_cones(map) && map.info.kind == "cone" && map.info.family == ConeFamily::conservative && map.info.lookup == ConeLookup::filtered;
+    if (tight.crop > 0 && comparable) report.tightness = tightness(map, surface, tight);
 
     // What rays make of them.
     const std::vector<ViewAngle> views = view_angles();
@@ -109,6 +114,8 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     compare.threads = options.threads;
     compare.filter_delta = options.filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;
     compare.steepest = steepest_slope(surface);
+    // A hybrid step that nothing refines may end this deep; a refined one may not.
+    if (map.info.family == ConeFamily::hybrid && options.technique == Technique::cone) compare.allowed_depth = map.info.hybrid_delta;
     double oracle_seconds = 0;
     for (const ViewAngle& view : views) {
         const RenderOptions drawing = frame(map.grid, view, options.rays / int(views.size()), options);
@@ -129,6 +136,9 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     report.tolerance = report.total.tolerance_max;
     report.oracle_rays_per_second = oracle_seconds > 0 ? double(report.total.rays) / oracle_seconds : 0;
     report.verdict = judge(map, report.cones, report.total);
+    // Two roundings of the same height to codes.
+    const double rounding = is_unorm(map.info.bits) ? 1.5 / max_code(map.info.bits) : map.info.bits == BitDepth::half ? 1e-3 : 1e-6;
+    if (report.depth_difference && *report.depth_difference > rounding) report.verdict = Verdict::other_source;
     return report;
 }
 

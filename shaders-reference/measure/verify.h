@@ -17,6 +17,7 @@ namespace reliefbake {
 enum class Verdict {
     safe,             ///< no cone too wide at any point tried, no ray missed its first hit
     unsafe,           ///< a cone holds a point of the surface it was baked for, or a ray of a bilinear map went through
+    other_source,     ///< the stored depth is not that of VerifyOptions::source, by more than rounding
     not_conservative, ///< keeps what its surface model says (texel centres), but rays pass through the bilinear surface
 };
 

@@ -22,6 +22,7 @@ std::string to_string(Verdict verdict) {
     switch (verdict) {
     case Verdict::safe: return "safe";
     case Verdict::unsafe: return "unsafe";
+    case Verdict::other_source: return "other_source";
     case Verdict::not_conservative: return "not_conservative";
     }
     return {};

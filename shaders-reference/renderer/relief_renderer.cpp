@@ -261,6 +261,7 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     uniforms.set("relief_cone_max", std::min(info.cone_max, widest_ratio));
     uniforms.set("relief_aspect", float(grid.aspect()));
     uniforms.set("relief_delta", float(delta));
+    uniforms.set("relief_code_delta", delta > 0 ? 2.0f / 255 : 0.0f);
     uniforms.set("relief_repeat", grid.wrap_x == Wrap::repeat, grid.wrap_y == Wrap::repeat);
     uniforms.set("relief_max_steps", options.max_steps);
     uniforms.set("relief_epsilon", options.epsilon);
@@ -303,6 +304,7 @@ Result<ReliefRenderer> ReliefRenderer::create(RendererBackend backend) {
 }
 
 Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
+    if (map.depth.empty()) return fail(ErrorCode::usage, "the map has no depth channel: nothing can be drawn without one");
     if (std::max(map.grid.width, map.grid.height) > state_->largest) {
         return fail(ErrorCode::usage, std::string("the map is larger than the OpenGL driver's textures (") +
                                           std::to_string(state_->largest) + " texels a side)");

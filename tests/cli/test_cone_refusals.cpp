@@ -34,6 +34,8 @@ TEST_CASE("Values outside their sets and ranges are refused with what was expect
         {"-o refused.png --wrap repeat,", 2, "repeat|clamp|auto"},
         {"-o refused.png --range 1:0", 2, "LO below HI"},
         {"-o refused.png --range 0..1", 2, "LO:HI"},
+        {"-o refused.png --range 0:255", 2, "code / largest code"},
+        {"-o refused.png --no-data 0.5", 2, "whole numbers"},
         {"-o refused.png --range 0:nan", 2, "number"},
         {"-o refused.png --tolerance -1", 2, "0 to 1"},
         {"-o refused.png --tolerance 0.1x", 2, "0 to 1"},

@@ -55,6 +55,40 @@ TEST_CASE("metadata comes back as it went") {
     CHECK(back.channels == std::vector<std::string>{"relief.nx", "relief.ny", "relief.cone", "relief.depth"});
 }
 
+TEST_CASE("the family of the cones comes back, and its absence means the defaults") {
+    ReliefMapInfo info = sample_info();
+    info.kind = "acm";
+    info.planes = 8;
+    info.family = ConeFamily::hybrid;
+    info.rays = RelaxedRays::slope;
+    info.relaxed_slope = 1.5;
+    info.hybrid_delta = 0.25;
+    info.lookup = ConeLookup::cell;
+    info.levels = 9;
+    info.trilinear = true;
+    const MapMetadata back = map_metadata_from(to_json(info, {}).dump());
+    CHECK(back.bad_keys.empty());
+    CHECK(back.kind == "acm");
+    CHECK(back.planes == 8);
+    CHECK(back.family == ConeFamily::hybrid);
+    CHECK(back.rays == RelaxedRays::slope);
+    CHECK(back.relaxed_slope == 1.5);
+    CHECK(back.hybrid_delta == 0.25);
+    CHECK(back.lookup == ConeLookup::cell);
+    CHECK(back.layout == ChannelLayout::named);
+    CHECK(back.levels == 9);
+    CHECK(back.trilinear == true);
+    CHECK(back.channels->size() == 11);
+
+    const auto plain = to_json(sample_info(), {});
+    CHECK(plain["family"] == "conservative");
+    for (const char* key : {"relaxed", "relaxed_slope", "hybrid_delta", "planes", "levels", "trilinear"})
+        CHECK_FALSE(plain.contains(key));
+    const MapMetadata old = map_metadata_from(R"({"kind":"cone","metric":"l2"})");
+    CHECK(old.bad_keys.empty());
+    CHECK_FALSE(old.family);
+}
+
 TEST_CASE("an infinite cap survives") {
     ReliefMapInfo info = sample_info();
     info.cone_max = std::numeric_limits<float>::infinity();
@@ -96,6 +130,14 @@ TEST_CASE("malicious values are named, never believed") {
     CHECK(bad(R"({"wrap":["repeat",7]})") == std::vector<std::string>{"wrap"});
     CHECK(bad(R"({"channels":["R","G"]})") == std::vector<std::string>{"channels"});
     CHECK(bad(R"({"statistics":[]})") == std::vector<std::string>{"statistics"});
+    CHECK(bad(R"({"family":"lax"})") == std::vector<std::string>{"family"});
+    CHECK(bad(R"({"relaxed":1})") == std::vector<std::string>{"relaxed"});
+    CHECK(bad(R"({"hybrid_delta":2})") == std::vector<std::string>{"hybrid_delta"});
+    CHECK(bad(R"({"planes":2.5})") == std::vector<std::string>{"planes"});
+    CHECK(bad(R"({"planes":1e9})") == std::vector<std::string>{"planes"});
+    CHECK(bad(R"({"levels":0})") == std::vector<std::string>{"levels"});
+    CHECK(bad(R"({"trilinear":1})") == std::vector<std::string>{"trilinear"});
+    CHECK(bad(R"({"layout":"heap"})") == std::vector<std::string>{"layout"});
     CHECK(bad(R"({"kind":{}})") == std::vector<std::string>{"kind"});
     CHECK(bad("[]").empty());
     CHECK(bad("").empty());

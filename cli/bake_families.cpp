@@ -1,0 +1,67 @@
+#include "cli/bake_families.h"
+
+#include "cli/bake_cone.h"
+#include "cli/choices.h"
+#include "cli/mip_options.h"
+
+#include <limits>
+
+namespace reliefbake {
+
+namespace {
+
+void add_layout_options(CLI::App& app, ConeCommandOptions& options) {
+    app.option_defaults()->group("Result");
+    add_choice(app, "--layout", options.layout, layout_words,
+               "named: one EXR with depth and normals; cones alone: rgba (up to 4 planes), side (8 in one image of twice the width), "
+               "pair (8 in two files, the second named ..._b) (default named for .exr, else rgba or side)");
+    app.add_option("--relief", options.relief_output, "Also write a cone map with depth and normals, for layouts of cones alone")
+        ->type_name("FILE");
+}
+
+} // namespace
+
+void AcmCommand::add_to(CLI::App& app) {
+    options_.kind = "acm";
+    options_.planes = 4;
+    add_input_options(app, options_);
+    add_search_options(app, options_);
+    add_cone_max_option(app, options_);
+    app.add_option("--sectors", options_.planes, "Sectors of azimuth, counted from +u towards +v (default 4)")
+        ->check(CLI::IsMember({4, 8}));
+    add_family_options(app, options_.family, false);
+    add_output_options(app, options_);
+    add_encoding_option(app, options_);
+    add_layout_options(app, options_);
+}
+
+Result<void> AcmCommand::run() { return bake_planned(options_); }
+
+void ConeNormalCommand::add_to(CLI::App& app) {
+    options_.encoding = ConeEncoding::normal;
+    options_.cone.ratio_max = std::numeric_limits<float>::infinity();
+    add_input_options(app, options_);
+    add_search_options(app, options_);
+    add_family_options(app, options_.family, true);
+    add_output_options(app, options_);
+    add_exr_layout_option(app, options_);
+    add_mip_options(app, options_);
+}
+
+Result<void> ConeNormalCommand::run() { return bake_planned(options_); }
+
+void ConeStackCommand::add_to(CLI::App& app) {
+    options_.kind = "cone-stack";
+    options_.planes = 4;
+    add_input_options(app, options_);
+    add_search_options(app, options_);
+    add_cone_max_option(app, options_);
+    app.add_option("--levels", options_.planes, "Cones above each texel; the first stands on it (default 4)")->check(CLI::Range(1, 16));
+    add_output_options(app, options_);
+    add_encoding_option(app, options_);
+    add_layout_options(app, options_);
+}
+
+Result<void> ConeStackCommand::run() { return bake_planned(options_); }
+
+} // namespace reliefbake

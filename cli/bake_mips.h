@@ -1,0 +1,25 @@
+#pragma once
+// A bake of a whole mip chain.
+
+#include "bake/height_field.h"
+#include "cli/cone_options.h"
+#include "cli/cone_report.h"
+#include "cli/stage_clock.h"
+
+#include <string>
+#include <vector>
+
+namespace reliefbake {
+
+/// What a finished chain tells.
+struct MipRun {
+    ReliefMapInfo info; ///< of level 0
+    std::vector<MipReport> levels;
+    std::vector<std::string> warnings;
+};
+
+/// Bakes every level of the chain of `depth` and writes it to the plan's output.
+/// Errors: those of write_map_levels.
+Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const DepthMap& depth, StageClock& clock);
+
+} // namespace reliefbake

@@ -1,0 +1,25 @@
+#include "cli/mip_options.h"
+
+namespace reliefbake {
+
+void add_mip_options(CLI::App& app, ConeCommandOptions& o) {
+    app.option_defaults()->group("Result");
+    app.add_flag("--mips", o.mips,
+                 "A chain of levels down to 1 x 1, each with heights and cones of its own: in one .exr .tif .dds .ktx2, "
+                 "or as numbered .png .tga");
+    app.add_flag("--trilinear", o.trilinear, "Cones that stay safe where two levels are blended; needs --mips");
+}
+
+Result<void> validate_mips(const ConeCommandOptions& options, const ConeOptions& cone) {
+    if (!options.trilinear) return {};
+    if (!options.mips) return fail(ErrorCode::usage, "--trilinear: needs --mips");
+    if (cone.surface != SurfaceModel::bilinear)
+        return fail(ErrorCode::usage, "--trilinear: needs --surface bilinear; texel cones are not safe under any filter");
+    if (cone.family != ConeFamily::conservative)
+        return fail(ErrorCode::usage, "--trilinear: is for conservative cones; a blend may hold more crossings than either level");
+    if (cone.lookup != ConeLookup::filtered)
+        return fail(ErrorCode::usage, "--trilinear: needs --lookup filtered; cell cones are fetched from one level");
+    return {};
+}
+
+} // namespace reliefbake
