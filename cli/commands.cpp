@@ -5,6 +5,7 @@
 #include "cli/bench_cone.h"
 #include "cli/explain.h"
 #include "cli/render.h"
+#include "cli/shader.h"
 #include "cli/verify.h"
 
 namespace reliefbake {
@@ -24,6 +25,7 @@ constexpr CommandEntry all_commands[] = {
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
+    {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
     {"verify", "Judge a baked map against an exact oracle", make<VerifyCommand>},
 };
 

@@ -1,7 +1,8 @@
 // A baked relief map and what its channels mean.
 //
-// Texel = (normal x, normal y, cone, depth); maps with several cones a texel keep them apart (relief_cones.glsl). Depth 0 is the polygon, 1 the floor. Horizontal lengths are in texture
-// widths, so that cones are round on maps of any shape: |(du, dv)|^2 = du^2 + (aspect dv)^2.
+// Texel = (normal x, normal y, cone, depth); maps with several cones a texel keep them apart (relief_cones.glsl). Depth 0
+// is the polygon, 1 the floor. Horizontal lengths are in texture widths, so that cones are round on maps of any shape:
+// |(du, dv)|^2 = du^2 + (aspect dv)^2.
 //
 // Set before this text, from the map's metadata (`reliefbake explain`):
 //   RELIEF_ENCODING       0 ratio, 1 sqrt, 2 radius, 3 normal

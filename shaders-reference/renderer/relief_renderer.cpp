@@ -18,7 +18,6 @@ constexpr GLint map_unit = 0;
 constexpr GLint given_unit = 1;
 constexpr GLint cones_unit = 2;   ///< and 3
 constexpr GLint max_mip_unit = 4;
-constexpr float widest_ratio = 1e6f; ///< for "no cap" (inf): finite, so that 0 times it is 0
 constexpr int planes = 4; ///< colour, hit, counts, ray
 
 struct CompiledProgram {

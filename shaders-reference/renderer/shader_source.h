@@ -43,6 +43,9 @@ struct ShaderConfig {
     friend bool operator==(const ShaderConfig&, const ShaderConfig&) = default;
 };
 
+/// Ratio that stands for "no cap" (inf) in shaders: finite, so that 0 times it is 0.
+constexpr float widest_ratio = 1e6f;
+
 /// The configuration that decodes `map`, with everything else as by default.
 ShaderConfig shader_config(const ReliefMap& map, Technique technique, bool exact_finish);
 

@@ -33,3 +33,28 @@ TEST_CASE("A picture that is no map is refused with the flags that would make it
     CHECK(outcome.err.find("--encoding") != std::string::npos);
     CHECK(run_tool("explain missing.png").status == 66);
 }
+
+TEST_CASE("shader prints what decodes the file, in the language asked for") {
+    REQUIRE(run_tool("cone " + height_map("gz_dem_squared_129.tif") + " -o shown.png").status == 0);
+    const Outcome glsl = run_tool("shader --for shown.png");
+    CHECK(glsl.status == 0);
+    CHECK(glsl.err.empty());
+    CHECK(glsl.out.starts_with("#version 330 core"));
+    CHECK(run_tool("shader --for shown.png --language glsl-es").out.starts_with("#version 300 es"));
+    CHECK(run_tool("shader --for shown.png --language hlsl").out.find("SV_Target") != std::string::npos);
+    CHECK(run_tool("shader --for shown.png --language wgsl").status == 2);
+    CHECK(run_tool("shader --for missing.png").status == 66);
+    CHECK(run_tool("shader --for shown.png --channel-order RG-A").status == 2);
+}
+
+TEST_CASE("render refuses options that its technique does not use") {
+    REQUIRE(run_tool("cone " + height_map("gz_dem_squared_129.tif") + " -o drawn.png").status == 0);
+    const std::string render = "render drawn.png -o picture.png --size 16x16 ";
+    CHECK(run_tool(render + "--technique relaxed --steps 15 --binary-steps 8 --shadow --ao cone").status == 0);
+    CHECK(run_tool(render + "--technique max-mip --shadow cone-soft").status == 0);
+    for (const char* refused : {"--technique parallax --steps 4", "--binary-steps 4", "--technique linear --exact-finish",
+                                "--shadow soft", "--ao sky", "--technique cones"}) {
+        INFO(refused);
+        CHECK(run_tool(render + refused).status == 2);
+    }
+}
