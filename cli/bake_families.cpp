@@ -2,6 +2,7 @@
 
 #include "cli/bake_cone.h"
 #include "cli/choices.h"
+#include "cli/number_options.h"
 #include "cli/mip_options.h"
 
 #include <limits>
