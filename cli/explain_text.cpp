@@ -67,6 +67,8 @@ std::string safety_lines(const ReliefMapInfo& info) {
     if (info.filter_delta > 0)
         text += "A GPU that filters with 8-bit weights reads a depth off by up to " +
                 digits(info.filter_delta) + ": subtract that from g.\n";
+    if (info.filter_delta > 0 && info.encoding == ConeEncoding::radius)
+        text += "Add it to the depth that a code is divided by, and take 2/255 from codes of 8-bit textures (radius).\n";
     return text;
 }
 

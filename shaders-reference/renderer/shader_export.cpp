@@ -174,12 +174,14 @@ std::string file_comment(const ReliefMap& map) {
 Constants constants_of(const ReliefMap& map, int march_steps) {
     const ReliefMapInfo& info = map.info;
     const RenderOptions defaults;
-    const auto flag = [](Wrap wrap) { return std::string(wrap == Wrap::repeat ? "1" : "0"); };
+    std::string repeat("ivec2("); // appended piece by piece: GCC 12 warns about operator+ here (bug 105651)
+    repeat += std::to_string(map.grid.wrap_x == Wrap::repeat);
+    repeat.append(", ").append(std::to_string(map.grid.wrap_y == Wrap::repeat)).append(")");
     return {{"relief_cone_max", float_literal(std::min<double>(info.cone_max, widest_ratio))},
             {"relief_aspect", float_literal(map.grid.aspect())},
             {"relief_delta", float_literal(info.filter_delta)},
             {"relief_code_delta", float_literal(info.bits == BitDepth::unorm8 ? 2.0 / 255 : 0)},
-            {"relief_repeat", "ivec2(" + flag(map.grid.wrap_x) + ", " + flag(map.grid.wrap_y) + ")"},
+            {"relief_repeat", repeat},
             {"relief_depth_scale", float_literal(info.depth_scale)},
             {"relief_max_steps", std::to_string(march_steps)},
             {"relief_binary_steps", std::to_string(defaults.binary_steps)},
