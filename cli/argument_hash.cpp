@@ -35,6 +35,8 @@ std::string result_text(const ConePlan& plan) {
     text += "\ntolerance=" + digits(plan.cone.tolerance) + "\ncone-max=" + digits(plan.cone.ratio_max);
     text += "\ndepth-uv=" + digits(plan.depth_scale) + "\nbits=" + word_of(bits_words, plan.bits);
     text += "\nplanes=" + std::to_string(plan.given.planes) + "\nkind=" + word_of(family_words, plan.cone.family);
+    if (plan.given.adaptive)
+        text += "\nadaptive=" + std::to_string(plan.given.adaptive->levels) + ":" + digits(plan.given.adaptive->similarity);
     text += "\nrelaxed=" + std::to_string(int(plan.cone.rays)) + ":" + digits(plan.cone.relaxed_slope);
     text += "\ndelta=" + digits(plan.cone.hybrid_delta) + "\nlookup=" + word_of(lookup_words, plan.cone.lookup);
     text += "\nencoding=" + word_of(encoding_words, plan.given.encoding);

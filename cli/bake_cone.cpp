@@ -55,6 +55,7 @@ Result<StoredHeight> read_depth(const ConePlan& plan, StageClock& clock) {
 }
 
 std::vector<ConeMap> bake_kind(const DepthMap& depth, const ConePlan& plan, ConeStatistics& statistics) {
+    if (plan.given.adaptive) return bake_sector_cones_adaptive(depth, *plan.given.adaptive, plan.cone);
     if (plan.given.kind == "acm") return bake_sector_cones(depth, plan.given.planes, plan.cone, &statistics);
     if (plan.given.kind == "cone-stack") return bake_stacked_cones(depth, plan.given.planes, plan.cone, &statistics);
     std::vector<ConeMap> one;

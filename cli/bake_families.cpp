@@ -2,6 +2,7 @@
 
 #include "cli/bake_cone.h"
 #include "cli/choices.h"
+#include "cli/number_options.h"
 #include "cli/mip_options.h"
 
 #include <limits>
@@ -29,13 +30,32 @@ void AcmCommand::add_to(CLI::App& app) {
     add_cone_max_option(app, options_);
     app.add_option("--sectors", options_.planes, "Sectors of azimuth, counted from +u towards +v (default 4)")
         ->check(CLI::IsMember({4, 8}));
+    static const Words<Method> method_words = {{"exact", Method::exact}, {"adaptive", Method::adaptive}};
+    add_choice(app, "--method", method_, method_words,
+               "exact; or 002's Algorithm 1, approximate: cones hold surface, and rays miss (default exact)");
+    app.add_option("--levels", levels_, "adaptive: levels above the map; 0 is the original ring search (default 3)")->check(CLI::Range(0, 16));
+    add_number(app, "--similarity", similarity_, fraction_number,
+               "adaptive: height by which a texel may differ from its parent and copy its cones (default 0.05)");
     add_family_options(app, options_.family, false);
     add_output_options(app, options_);
     add_encoding_option(app, options_);
     add_layout_options(app, options_);
 }
 
-Result<void> AcmCommand::run() { return bake_planned(options_); }
+Result<void> AcmCommand::run() {
+    if (method_ == Method::exact) {
+        if (levels_ || similarity_) return fail(ErrorCode::usage, "--levels, --similarity: need --method adaptive");
+        return bake_planned(options_);
+    }
+    if (options_.family.family != ConeFamily::conservative || options_.family.lookup != ConeLookup::filtered ||
+        options_.cone.metric != Metric::l2)
+        return fail(ErrorCode::usage, "--method adaptive: bakes filtered l2 cones as published; leave --kind, --lookup and --metric out");
+    options_.adaptive = AdaptiveOptions();
+    options_.adaptive->sectors = options_.planes;
+    options_.adaptive->levels = levels_.value_or(options_.adaptive->levels);
+    options_.adaptive->similarity = similarity_.value_or(options_.adaptive->similarity);
+    return bake_planned(options_);
+}
 
 void ConeNormalCommand::add_to(CLI::App& app) {
     options_.encoding = ConeEncoding::normal;

@@ -13,6 +13,11 @@ class AcmCommand : public Command {
     Result<void> run() override;
 
   private:
+    enum class Method { exact, adaptive };
+
+    Method method_ = Method::exact;
+    std::optional<int> levels_;
+    std::optional<double> similarity_;
     ConeCommandOptions options_;
 };
 

@@ -46,6 +46,9 @@ void print_times(const nlohmann::json& r) {
     for (const nlohmann::json& peer : r.value("peers", nlohmann::json::array()))
         std::printf("    %-24s %12.0f ns/texel  %9.1f times ours\n", peer["name"].get<std::string>().c_str(),
                     peer["ns_per_texel"].get<double>(), peer["times_ours"].get<double>());
+    for (const nlohmann::json& row : r.value("adaptive", nlohmann::json::array()))
+        std::printf("    %-24s %12.0f ns/texel  %9.1f times the exact method; cones too wide: %.2f %%\n", row["name"].get<std::string>().c_str(),
+                    row["ns_per_texel"].get<double>(), row["times_exact"].get<double>(), 100 * row["too_wide"].get<double>());
     if (!r.contains("compare")) return;
     std::printf("    %-46s %10s %10s %7s %6s %9s %10s\n", "method", "violations", "missed", "steps", "max", "tightness", "ns/texel");
     for (const nlohmann::json& row : r["compare"])
@@ -78,6 +81,10 @@ void BenchConeCommand::add_to(CLI::App& app) {
     app.add_option("--levels", levels_, "Levels of a cone stack (default 1: none)")->check(CLI::Range(1, 16));
     app.option_defaults()->group("Bake");
     add_choice(app, "--simd", simd_, simd_words(), "Instruction set (default: the widest this machine has)");
+    CLI::Option* adaptive = app.add_option("--adaptive", adaptive_levels_,
+                                           "Also time 002's Algorithm 1 with this many levels, and its original ring search (level 0)")
+                                ->check(CLI::Range(1, 16));
+    add_number(app, "--similarity", similarity_, fraction_number, "Of --adaptive (default 0.05)")->needs(adaptive);
     app.option_defaults()->group("Measurement");
     app.add_option("--repeat", repeat_, "Bakes; the fastest counts (default 5)")->check(CLI::Range(1, 1000));
     app.add_flag("--peers", peers_, "Also time brute force, the expanding ring and the quick cone map");
@@ -112,9 +119,13 @@ Result<void> BenchConeCommand::run() {
     cone_.threads = *threads;
     if (const Result<void> resolved = resolve_family(family_, cone_); !resolved) return resolved;
     const bool plain = cone_.family == ConeFamily::conservative && cone_.lookup == ConeLookup::filtered && sectors_ == 1 && levels_ == 1;
-    if ((peers_ || compare_) && !plain) return fail(ErrorCode::usage, "--peers and --compare: are for conservative cones of all directions");
+    const bool relaxed = cone_.family == ConeFamily::relaxed && sectors_ == 1;
+    if (compare_ && !plain) return fail(ErrorCode::usage, "--compare: is for conservative cones of all directions");
+    if (peers_ && !plain && !relaxed) return fail(ErrorCode::usage, "--peers: are for conservative and relaxed cones of all directions");
     if (sectors_ > 1 && (cone_.family == ConeFamily::hybrid || levels_ > 1))
         return fail(ErrorCode::usage, "--sectors: sectors are conservative or relaxed, and not stacked");
+    if (adaptive_levels_ && (sectors_ == 1 || cone_.family != ConeFamily::conservative || cone_.metric != Metric::l2))
+        return fail(ErrorCode::usage, "--adaptive: needs --sectors 4 or 8, conservative l2 cones");
     if (levels_ > 1 && cone_.family != ConeFamily::conservative) return fail(ErrorCode::usage, "--levels: stacked cones are conservative");
     if (sectors_ == 8 && cone_.metric == Metric::l1) return fail(ErrorCode::usage, "--sectors 8: needs --metric l2");
     use_simd(simd_);
@@ -126,11 +137,17 @@ Result<void> BenchConeCommand::run() {
         nlohmann::json result = time_bake(depth, cone_, sectors_, levels_, repeat_);
         result.update({{"name", name}, {"width", depth.grid.width}, {"height", depth.grid.height}});
         if (peers_)
-            for (const Peer& peer : {brute_force_peer(), expanding_ring_peer(), quick_cone_map_peer()}) {
+            for (const Peer& peer : relaxed ? std::vector<Peer>{sampled_relaxed_peer()}
+                                            : std::vector<Peer>{brute_force_peer(), expanding_ring_peer(), quick_cone_map_peer()}) {
                 nlohmann::json timed = time_peer(peer, depth, cone_.ratio_max, seconds_per_peer);
                 timed["times_ours"] = timed["ns_per_texel"].get<double>() / result["search_ns_per_texel"].get<double>();
                 result["peers"].push_back(std::move(timed));
             }
+        if (adaptive_levels_) {
+            result["adaptive"] = time_adaptive(depth, {sectors_, *adaptive_levels_, similarity_}, cone_);
+            for (nlohmann::json& row : result["adaptive"])
+                row["times_exact"] = row["ns_per_texel"].get<double>() / result["search_ns_per_texel"].get<double>();
+        }
         if (compare_) {
             const Result<nlohmann::json> compared = compare_maps(depth, cone_);
             if (!compared) return tl::unexpected(compared.error());

@@ -1,6 +1,7 @@
 #pragma once
 // reliefbake bench cone [FILE | --field NAME --size N]
 
+#include "bake/acm_adaptive.h"
 #include "bake/cone.h"
 #include "bake/simd.h"
 #include "cli/bench/compare_maps.h"
@@ -8,6 +9,7 @@
 #include "cli/family_options.h"
 #include "formats/read_image.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,8 @@ class BenchConeCommand : public Command {
     ConeOptions cone_;
     FamilyOptions family_;
     int sectors_ = 1; ///< --sectors: 1, or an anisotropic map
+    std::optional<int> adaptive_levels_; ///< --adaptive: 002's Algorithm 1 beside the exact sectors
+    double similarity_ = AdaptiveOptions().similarity;
     int levels_ = 1;  ///< --levels: 1, or a stack
     Simd simd_ = Simd::automatic;
     bool peers_ = false;   ///< --peers: time the ways others bake

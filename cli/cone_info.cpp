@@ -60,7 +60,7 @@ ReliefMapInfo describe_cones(const ConePlan& plan, const SourceImage& source, co
     info.depth_scale = plan.depth_scale;
     info.filter_delta = filter_delta(depth);
     info.tolerance = shortest_decimal(options.tolerance);
-    info.guarantee = guarantee_of(options);
+    info.guarantee = plan.given.adaptive ? std::string() : guarantee_of(options);
     info.version = version();
     info.source_hash = source.pixel_hash;
     info.argument_hash = plan.argument_hash;

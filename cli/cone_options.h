@@ -1,6 +1,7 @@
 #pragma once
 // The command line of `reliefbake cone`, and what the stages take from it.
 
+#include "bake/acm_adaptive.h"
 #include "bake/cone.h"
 #include "bake/error.h"
 #include "bake/height_field.h"
@@ -25,6 +26,7 @@ struct ConeCommandOptions {
     HeightOptions height; ///< --input --range --nan --no-data --scale --bias --wrap --pixel-aspect
     std::string kind = "cone"; ///< what the command bakes: "cone", "acm", "cone-stack"
     int planes = 1;            ///< sectors of an acm (--sectors), levels of a cone-stack (--levels)
+    std::optional<AdaptiveOptions> adaptive; ///< acm --method adaptive
     FamilyOptions family;      ///< --kind --relaxed --delta --lookup
     std::string relief_output; ///< --relief: a cone map with depth and normals, beside a map of cones alone
     ConeOptions cone;     ///< --surface --metric --tolerance --cone-max --threads

@@ -2,11 +2,12 @@
 # Bakes every height map as every family of cones, verifies each, and prints the tables of docs/FAMILIES.md.
 # Exit code 0: no ray missed and no cone violated where the family promises it, no command failed. Otherwise 4.
 #
-#   tests/families_all.sh [--quick] [--rays N] [--points N] [--jobs N] [-o FILE.md]
+#   tests/families_all.sh [--quick] [--rays N] [--points N] [--jobs N] [--keep DIR] [-o FILE.md]
 #
 #   --quick    the bundled maps alone, fewer rays (ctest: verify_families)
 #   --rays     rays a map (default 10000), --points  points of the direct check a map (default 4000)
 #   --jobs     maps at a time (default: the number of processors)
+#   --keep     folder of results, one file a case; those already there are not done again
 #   -o         put the tables into FILE.md too (tests/put_table.sh)
 #
 #   RELIEFBAKE_BINARY, RELIEFBAKE_DATA   as for tests/verify_all.sh
@@ -47,19 +48,21 @@ if [[ ${1-} == --case ]]; then
     jq -cn --arg map "${height##*/}" --arg family "$family" --arg promised "$promised" --argjson verified "${verified:-null}" \
         --rawfile said "$scratch/$$.said" '{map: $map, family: $family, promised: ($promised == "yes")} +
         if $verified == null then {error: $said}
-        else $verified | {rays, missed: (.missed * .rays | round), points, violations, steps_mean} end'
+        else $verified | {rays, missed: (.missed * .rays | round), points, violations, steps_mean} end' >"$scratch/$$.json"
+    mv "$scratch/$$.json" "$results/${height##*/}.$family"
     exit 0
 fi
 
-rays=10000 points=4000 jobs=$(nproc) page= quick=
+rays=10000 points=4000 jobs=$(getconf _NPROCESSORS_ONLN) page= quick= results=
 while (($#)); do
     case $1 in
         --quick) quick=yes rays=2600 points=1500 ;;
         --rays) rays=$2 && shift ;;
         --points) points=$2 && shift ;;
         --jobs) jobs=$2 && shift ;;
+        --keep) results=$2 && shift ;;
         -o) page=$2 && shift ;;
-        *) sed -n '2,13s/^# \{0,1\}//p' "$0" && exit 2 ;;
+        *) sed -n '2,14s/^# \{0,1\}//p' "$0" && exit 2 ;;
     esac
     shift
 done
@@ -74,12 +77,17 @@ elif [[ ! -d $folder ]]; then
 fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-export scratch rays points
+results=${results:-$scratch/results}
+mkdir -p "$results"
+export scratch results rays points
 
 # Every family on every map.
 for height in "$folder"/*; do
-    families | while IFS=$'\t' read -r line; do printf '%s\a%s\0' "$height" "$(tr '\t' '\a' <<<"$line")"; done
-done | xargs -0 -r -P "$jobs" -n 1 "$here/${0##*/}" --case >"$scratch/lines"
+    families | while IFS= read -r line; do
+        [[ -s $results/${height##*/}.${line%%$'\t'*} ]] || printf '%s\a%s\0' "$height" "$(tr '\t' '\a' <<<"$line")"
+    done
+done | xargs -0 -r -P "$jobs" -n 1 "$here/${0##*/}" --case
+cat "$results"/* >"$scratch/lines"
 
 # Four maps closely: size, time, steps, and what is left wrong after few steps.
 closely() {

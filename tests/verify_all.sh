@@ -56,7 +56,7 @@ if [[ ${1-} == --case ]]; then
     exit 0
 fi
 
-rays=30000 points=20000 jobs=$(nproc) table= quick= results=
+rays=30000 points=20000 jobs=$(getconf _NPROCESSORS_ONLN) table= quick= results=
 while (($#)); do
     case $1 in
         --quick) quick=yes ;;

@@ -109,7 +109,41 @@ float quick_cone(const Field& field, const std::vector<Image<float>>& mips, int 
     return std::sqrt(best);
 }
 
+/// Depth of the nearest texel.
+float depth_at(const Field& field, float u, float v) {
+    return 1 - field.at(int(std::floor(u * float(field.grid().width))), int(std::floor(v * float(field.grid().height))));
+}
+
+/// The ray from (0, 0, top) on the axis of texel (x, y) through the surface at (i, j), on to the floor: how far out and how deep
+/// it is when it has left the relief; the cone to that point, or ratio_max where it never leaves above the texel's own depth.
+float sampled_exit(const Field& field, int x, int y, int i, int j, float ratio_max) {
+    constexpr int steps = 128;
+    const TexelGrid& grid = field.grid();
+    const float u = float(TexelGrid::centre(x, grid.width)), v = float(TexelGrid::centre(y, grid.height));
+    const float target = 1 - field.at(i, j), own = 1 - field.at(x, y);
+    if (target <= 0) return ratio_max; // the ray would be level
+    const float du = (float(TexelGrid::centre(i, grid.width)) - u) / target, dv = (float(TexelGrid::centre(j, grid.height)) - v) / target;
+    const float step = (1 - target) / steps;
+    float t = target + step;
+    for (int k = 1; k < steps; ++k)
+        if (depth_at(field, u + t * du, v + t * dv) <= t) t += step; // still inside
+    if (t >= own) return ratio_max;
+    return std::hypot(t * du, t * dv * float(grid.aspect())) / (own - t);
+}
+
 } // namespace
+
+Peer sampled_relaxed_peer() {
+    return {"sampled relaxed cones", "GPU Gems 3, chapter 18", [](const DepthMap& depth, float ratio_max) -> TexelBaker {
+                return [field = std::make_shared<Field>(depth), ratio_max](int x, int y) {
+                    float ratio = ratio_max;
+                    for (int j = 0; j < field->grid().height; ++j)
+                        for (int i = 0; i < field->grid().width; ++i)
+                            if (i != x || j != y) ratio = std::min(ratio, sampled_exit(*field, x, y, i, j, ratio_max));
+                    return ratio;
+                };
+            }};
+}
 
 Peer brute_force_peer() {
     return {"brute force", "Dummer 2006", [](const DepthMap& depth, float ratio_max) -> TexelBaker {

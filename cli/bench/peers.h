@@ -27,4 +27,8 @@ Peer expanding_ring_peer();
 /// The 3 x 3 neighbours on every level of a max mip pyramid (Valasek & Ban 2022): fast, narrower than exact.
 Peer quick_cone_map_peer();
 
+/// Relaxed cones as GPU Gems 3, chapter 18, samples them: from each texel's top through every other texel, in 128 steps to
+/// where the ray leaves the relief again (Policarpo & Oliveira 2007).
+Peer sampled_relaxed_peer();
+
 } // namespace reliefbake

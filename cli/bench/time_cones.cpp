@@ -33,6 +33,25 @@ nlohmann::json time_bake(const DepthMap& depth, const ConeOptions& options, int 
             {"node_tests_per_texel", double(best.node_tests) / texels}};
 }
 
+nlohmann::json time_adaptive(const DepthMap& depth, AdaptiveOptions adaptive, const ConeOptions& options) {
+    const int levels = adaptive.levels;
+    const double ns = 1e9 / double(depth.level.size());
+    adaptive.levels = 0;
+    double start = now();
+    const std::vector<ConeMap> original = bake_sector_cones_adaptive(depth, adaptive, options);
+    const double original_seconds = now() - start;
+    adaptive.levels = levels;
+    start = now();
+    const std::vector<ConeMap> fast = bake_sector_cones_adaptive(depth, adaptive, options);
+    const double fast_seconds = now() - start;
+    std::size_t wider = 0;
+    for (std::size_t s = 0; s < fast.size(); ++s)
+        for (std::size_t k = 0; k < fast[s].ratio.size(); ++k) wider += fast[s].ratio[k] > original[s].ratio[k] * 1.0001f;
+    const double cones = double(depth.level.size()) * double(fast.size());
+    return {{{"name", "ring search (002)"}, {"ns_per_texel", original_seconds * ns}, {"too_wide", 0.0}},
+            {{"name", "adaptive (002)"}, {"ns_per_texel", fast_seconds * ns}, {"too_wide", double(wider) / cones}}};
+}
+
 nlohmann::json time_peer(const Peer& peer, const DepthMap& depth, float ratio_max, double seconds) {
     double start = now();
     const TexelBaker bake = peer.prepare(depth, ratio_max);

@@ -178,7 +178,7 @@ Constants constants_of(const ReliefMap& map, int march_steps) {
     return {{"relief_cone_max", float_literal(std::min<double>(info.cone_max, widest_ratio))},
             {"relief_aspect", float_literal(map.grid.aspect())},
             {"relief_delta", float_literal(info.filter_delta)},
-            {"relief_code_delta", float_literal(info.filter_delta > 0 ? filtered_code_error : 0)},
+            {"relief_code_delta", float_literal(info.bits == BitDepth::unorm8 ? filtered_code_error : 0)},
             {"relief_repeat", "ivec2(" + flag(map.grid.wrap_x) + ", " + flag(map.grid.wrap_y) + ")"},
             {"relief_depth_scale", float_literal(info.depth_scale)},
             {"relief_max_steps", std::to_string(march_steps)},
