@@ -261,7 +261,7 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     uniforms.set("relief_cone_max", std::min(info.cone_max, widest_ratio));
     uniforms.set("relief_aspect", float(grid.aspect()));
     uniforms.set("relief_delta", float(delta));
-    uniforms.set("relief_code_delta", delta > 0 ? 2.0f / 255 : 0.0f);
+    uniforms.set("relief_code_delta", delta > 0 ? filtered_code_error : 0.0f);
     uniforms.set("relief_repeat", grid.wrap_x == Wrap::repeat, grid.wrap_y == Wrap::repeat);
     uniforms.set("relief_max_steps", options.max_steps);
     uniforms.set("relief_epsilon", options.epsilon);

@@ -180,7 +180,7 @@ Constants constants_of(const ReliefMap& map, int march_steps) {
     return {{"relief_cone_max", float_literal(std::min<double>(info.cone_max, widest_ratio))},
             {"relief_aspect", float_literal(map.grid.aspect())},
             {"relief_delta", float_literal(info.filter_delta)},
-            {"relief_code_delta", float_literal(info.bits == BitDepth::unorm8 ? 2.0 / 255 : 0)},
+            {"relief_code_delta", float_literal(info.bits == BitDepth::unorm8 ? filtered_code_error : 0)},
             {"relief_repeat", repeat},
             {"relief_depth_scale", float_literal(info.depth_scale)},
             {"relief_max_steps", std::to_string(march_steps)},
@@ -219,8 +219,8 @@ Result<std::string> export_shader(const ReliefMap& map, ShaderLanguage language)
     const std::vector<ShaderConstant> constants = shader_constants(shader_config(map, technique.technique, false));
 
     std::string body = specialise(shader_text("relief_map.glsl"), constants);
-    body += "\n" + specialise(shader_text("relief_cones.glsl"), constants);
-    for (const std::string_view file : technique.files) body += "\n" + specialise(shader_text(file), constants);
+    body.append("\n").append(specialise(shader_text("relief_cones.glsl"), constants));
+    for (const std::string_view file : technique.files) body.append("\n").append(specialise(shader_text(file), constants));
     body += entry_point(map, technique.function, language == ShaderLanguage::hlsl);
     body = fix_uniforms(body, constants_of(map, technique.default_steps));
     switch (language) {

@@ -46,6 +46,9 @@ struct ShaderConfig {
 /// Ratio that stands for "no cap" (inf) in shaders: finite, so that 0 times it is 0.
 constexpr float widest_ratio = 1e6f;
 
+/// How far a sampler that filters 8-bit textures in 8 bits may err in a code (relief_code_delta).
+constexpr float filtered_code_error = 2.0f / 255;
+
 /// The configuration that decodes `map`, with everything else as by default.
 ShaderConfig shader_config(const ReliefMap& map, Technique technique, bool exact_finish);
 

@@ -98,6 +98,7 @@ TEST_CASE("what a shader prints is what the map says", "[export]") {
     CHECK(has("code * code * relief_cone_max"));
     CHECK(has("cone_march(ray)"));
     CHECK_FALSE(has("#if"));
+    CHECK_FALSE(has("uniform float"));
     CHECK_FALSE(has("RELIEF_ENCODING"));
     map.info.family = ConeFamily::relaxed;
     CHECK(export_shader(map, ShaderLanguage::hlsl).value().find("relaxed_march(ray)") != std::string::npos);
