@@ -3,6 +3,7 @@
 #include "bake/search_surface.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -357,48 +358,23 @@ float SummariseNeeds(Tile& tile) {
     return hn::GetLane(hn::MinOfLanes(d, least));
 }
 
-std::uint32_t QuadNeedsL2(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<false, Mode::all>(s, t, q, p, need, b);
-}
-bool TileNeedsL2(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<false, Mode::all>(s, t, n, shrink);
-}
-bool CompareTexelL2(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::all>(s, t, texel); }
-std::uint32_t QuadNeedsL2Quadrant(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<false, Mode::quadrant>(s, t, q, p, need, b);
-}
-bool TileNeedsL2Quadrant(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<false, Mode::quadrant>(s, t, n, shrink);
-}
-bool CompareTexelL2Quadrant(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::quadrant>(s, t, texel); }
-std::uint32_t QuadNeedsL2Wedge(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<false, Mode::wedge>(s, t, q, p, need, b);
-}
-bool TileNeedsL2Wedge(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<false, Mode::wedge>(s, t, n, shrink);
-}
-bool CompareTexelL2Wedge(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<false, Mode::wedge>(s, t, texel); }
-std::uint32_t QuadNeedsL1(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<true, Mode::all>(s, t, q, p, need, b);
-}
-bool TileNeedsL1(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<true, Mode::all>(s, t, n, shrink);
-}
-bool CompareTexelL1(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::all>(s, t, texel); }
-std::uint32_t QuadNeedsL1Quadrant(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<true, Mode::quadrant>(s, t, q, p, need, b);
-}
-bool TileNeedsL1Quadrant(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<true, Mode::quadrant>(s, t, n, shrink);
-}
-bool CompareTexelL1Quadrant(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::quadrant>(s, t, texel); }
-std::uint32_t QuadNeedsL1Wedge(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need, QuadBounds& b) {
-    return QuadNeeds<true, Mode::wedge>(s, t, q, p, need, b);
-}
-bool TileNeedsL1Wedge(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {
-    return TileNeeds<true, Mode::wedge>(s, t, n, shrink);
-}
-bool CompareTexelL1Wedge(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<true, Mode::wedge>(s, t, texel); }
+// Highway exports functions, not templates: three for each metric and mode.
+#define RELIEFBAKE_TILE_KERNELS(Kind, kL1, kMode)                                                                                 \
+    std::uint32_t QuadNeeds##Kind(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need,      \
+                                  QuadBounds& b) {                                                                                \
+        return QuadNeeds<kL1, kMode>(s, t, q, p, need, b);                                                                        \
+    }                                                                                                                             \
+    bool TileNeeds##Kind(const SearchSpace& s, const Tile& t, const PyramidNode& n, float shrink) {                               \
+        return TileNeeds<kL1, kMode>(s, t, n, shrink);                                                                            \
+    }                                                                                                                             \
+    bool CompareTexel##Kind(const SearchSpace& s, Tile& t, const Opponent& texel) { return CompareTexel<kL1, kMode>(s, t, texel); }
+RELIEFBAKE_TILE_KERNELS(L2, false, Mode::all)
+RELIEFBAKE_TILE_KERNELS(L2Quadrant, false, Mode::quadrant)
+RELIEFBAKE_TILE_KERNELS(L2Wedge, false, Mode::wedge)
+RELIEFBAKE_TILE_KERNELS(L1, true, Mode::all)
+RELIEFBAKE_TILE_KERNELS(L1Quadrant, true, Mode::quadrant)
+#undef RELIEFBAKE_TILE_KERNELS
+
 std::uint32_t LeafCandidates(const SearchSpace& s, const Tile& t, const LeafTexels& leaf, float threshold) {
     return s.directed ? LeafCandidatesOf<Mode::quadrant>(s, t, leaf, threshold) : LeafCandidatesOf<Mode::all>(s, t, leaf, threshold);
 }
@@ -409,24 +385,16 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace reliefbake {
-HWY_EXPORT(QuadNeedsL2);
-HWY_EXPORT(TileNeedsL2);
-HWY_EXPORT(CompareTexelL2);
-HWY_EXPORT(QuadNeedsL2Quadrant);
-HWY_EXPORT(TileNeedsL2Quadrant);
-HWY_EXPORT(CompareTexelL2Quadrant);
-HWY_EXPORT(QuadNeedsL2Wedge);
-HWY_EXPORT(TileNeedsL2Wedge);
-HWY_EXPORT(CompareTexelL2Wedge);
-HWY_EXPORT(QuadNeedsL1);
-HWY_EXPORT(TileNeedsL1);
-HWY_EXPORT(CompareTexelL1);
-HWY_EXPORT(QuadNeedsL1Quadrant);
-HWY_EXPORT(TileNeedsL1Quadrant);
-HWY_EXPORT(CompareTexelL1Quadrant);
-HWY_EXPORT(QuadNeedsL1Wedge);
-HWY_EXPORT(TileNeedsL1Wedge);
-HWY_EXPORT(CompareTexelL1Wedge);
+#define RELIEFBAKE_EXPORT(Kind)   \
+    HWY_EXPORT(QuadNeeds##Kind);  \
+    HWY_EXPORT(TileNeeds##Kind);  \
+    HWY_EXPORT(CompareTexel##Kind)
+RELIEFBAKE_EXPORT(L2);
+RELIEFBAKE_EXPORT(L2Quadrant);
+RELIEFBAKE_EXPORT(L2Wedge);
+RELIEFBAKE_EXPORT(L1);
+RELIEFBAKE_EXPORT(L1Quadrant);
+#undef RELIEFBAKE_EXPORT
 HWY_EXPORT(SummariseNeeds);
 HWY_EXPORT(LeafCandidates);
 
@@ -439,8 +407,8 @@ TileKernels tile_kernels(const SearchSpace& space) {
     kernels.quad_needs = &HWY_DYNAMIC_DISPATCH(QuadNeeds##Kind);     \
     kernels.tile_needs = &HWY_DYNAMIC_DISPATCH(TileNeeds##Kind);     \
     kernels.compare_texel = &HWY_DYNAMIC_DISPATCH(CompareTexel##Kind)
-    if (space.l1 && space.wedged) { RELIEFBAKE_CHOOSE(L1Wedge); }
-    else if (space.l1 && space.directed) { RELIEFBAKE_CHOOSE(L1Quadrant); }
+    assert(!(space.l1 && space.wedged)); // octants are angles, which L1 does not know
+    if (space.l1 && space.directed) { RELIEFBAKE_CHOOSE(L1Quadrant); }
     else if (space.l1) { RELIEFBAKE_CHOOSE(L1); }
     else if (space.wedged) { RELIEFBAKE_CHOOSE(L2Wedge); }
     else if (space.directed) { RELIEFBAKE_CHOOSE(L2Quadrant); }

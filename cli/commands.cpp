@@ -3,6 +3,7 @@
 #include "cli/bake_cone.h"
 #include "cli/bake_families.h"
 #include "cli/bench_cone.h"
+#include "cli/bench_dynamic.h"
 #include "cli/explain.h"
 #include "cli/render.h"
 #include "cli/shader.h"
@@ -23,6 +24,7 @@ constexpr CommandEntry all_commands[] = {
     {"cone-normal", "Bake a cone normal map: no cap, the code is also a distance", make<ConeNormalCommand>},
     {"cone-stack", "Bake cones stacked above each texel", make<ConeStackCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
+    {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
