@@ -100,9 +100,6 @@ class ConeBake {
         }
     }
 
-    /// The slopes that a map starts from: those of the widest cone.
-    Image<float> widest() const { return Image<float>(depth_.grid.width, depth_.grid.height, surface_.slope_floor); }
-
     ConeMap finish(Image<float> slopes) {
         const double unit = slope_unit(depth_) * (1 + double(options_.tolerance)) * rounding_margin;
         ConeMap cones{depth_.grid, options_, std::move(slopes)};
@@ -125,7 +122,12 @@ class ConeBake {
         return turned;
     }
 
-    void raise(const Image<float>& by, Image<float>& slopes) const {
+    /// near_slopes are never below those of the widest cone, so the first ones are where a map starts.
+    void raise(Image<float> by, Image<float>& slopes) const {
+        if (slopes.empty()) {
+            slopes = std::move(by);
+            return;
+        }
         parallel_for(by.height(), options_.threads, [&](int y) {
             for (int x = 0; x < by.width(); ++x) slopes(x, y) = std::max(slopes(x, y), by(x, y));
         });
@@ -175,7 +177,7 @@ ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatis
     assert(is_baked_pixel_aspect(depth.grid.pixel_aspect));
     ConeStatistics local;
     ConeBake bake(depth, options, statistics ? *statistics : local);
-    Image<float> slopes = bake.widest();
+    Image<float> slopes;
     if (options.family != ConeFamily::conservative)
         bake.search_sectors(sectors_of(4), exit_rule(depth, options), slopes);
     if (options.family == ConeFamily::conservative) bake.search_all({}, slopes);
@@ -193,7 +195,7 @@ std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const
     if (options.family == ConeFamily::relaxed) exits = exit_rule(depth, options);
     std::vector<ConeMap> maps;
     for (const Sector& sector : sectors_of(sectors)) {
-        Image<float> slopes = bake.widest();
+        Image<float> slopes;
         bake.search_sectors({sector}, exits, slopes);
         maps.push_back(bake.finish(std::move(slopes)));
     }
@@ -213,7 +215,7 @@ std::vector<ConeMap> bake_stacked_cones(const DepthMap& depth, int levels, const
             const float share = std::nextafter(1 - float(level) / float(levels), 2.0f);
             for (float& z : apex) z = std::max(std::nextafter(z * share, -std::numeric_limits<float>::infinity()), z);
         }
-        Image<float> slopes = bake.widest();
+        Image<float> slopes;
         bake.search_all(std::move(apex), slopes);
         maps.push_back(bake.finish(std::move(slopes)));
     }

@@ -211,14 +211,12 @@ SearchSpace make_space(const SearchSurface& surface, float tolerance) {
     return space;
 }
 
-/// Each texel's value joined with those at the offsets of `f`, by `join` (a minimum or a maximum).
+/// Joins into `out` each texel's value with those at the offsets of `f`, by `join` (a minimum or a maximum).
 template <class Join>
-Image<float> over_offsets(const TexelGrid& g, const Image<float>& values, Footprint f, int threads, Join join) {
-    Image<float> out(g.width, g.height);
+void join_offsets(const TexelGrid& g, const Image<float>& values, Footprint f, int threads, Join join, Image<float>& out) {
     parallel_for(g.height, threads, [&](int y) {
         std::vector<float> row(std::size_t(g.width) + 2);
         float* best = out.row(y);
-        std::copy_n(values.row(y), g.width, best);
         for (int j = f.y_low; j <= f.y_high; ++j) {
             const float* source = values.row(g.address_y(y + j));
             std::copy_n(source, g.width, row.data() + 1);
@@ -227,22 +225,19 @@ Image<float> over_offsets(const TexelGrid& g, const Image<float>& values, Footpr
                 for (int x = 0; x < g.width; ++x) best[x] = join(best[x], row[std::size_t(x + 1 + i)]);
         }
     });
-    return out;
 }
 
 /// Smallest value of the texels whose cones a far slope at this texel would narrow: what it must exceed to matter.
 Image<float> footprint_minimum(const SearchSurface& surface, const Image<float>& slopes, int threads) {
     const Footprint f = surface.footprint, narrowed{-f.x_high, -f.x_low, -f.y_high, -f.y_low};
-    return over_offsets(surface.grid, slopes, narrowed, threads, [](float a, float b) { return std::min(a, b); });
+    Image<float> out = slopes;
+    join_offsets(surface.grid, slopes, narrowed, threads, [](float a, float b) { return std::min(a, b); }, out);
+    return out;
 }
 
 /// slopes = max(slopes, largest of the footprint's far slopes). (Beyond a clamped border lies the border's own texel.)
 void raise_by_footprint(const SearchSurface& surface, const Image<float>& found, int threads, Image<float>& slopes) {
-    const Image<float> most =
-        over_offsets(surface.grid, found, surface.footprint, threads, [](float a, float b) { return std::max(a, b); });
-    parallel_for(surface.grid.height, threads, [&](int y) {
-        for (int x = 0; x < surface.grid.width; ++x) slopes(x, y) = std::max(slopes(x, y), most(x, y));
-    });
+    join_offsets(surface.grid, found, surface.footprint, threads, [](float a, float b) { return std::max(a, b); }, slopes);
 }
 
 } // namespace
