@@ -19,22 +19,24 @@ export MESA_SHADER_CACHE_DISABLE=true OMP_NUM_THREADS=1 LP_NUM_THREADS=1
 
 # Name, command that bakes it, floats of cones a texel, options of `bench cone`, whether rays that pass through are promised away.
 families() {
-    printf '%s\t' 'conservative' 'cone' 1 '' yes; echo
-    printf '%s\t' 'conservative, cell lookup' 'cone --lookup cell' 1 '--lookup cell' yes; echo
-    printf '%s\t' 'cone normal' 'cone-normal' 1 '' yes; echo
-    printf '%s\t' 'relaxed, strict' 'cone --kind relaxed' 1 '--kind relaxed' yes; echo
-    printf '%s\t' 'relaxed, slope:4' 'cone --kind relaxed --relaxed slope:4' 1 '--kind relaxed --relaxed slope:4' no; echo
-    printf '%s\t' 'relaxed, top' 'cone --kind relaxed --relaxed top' 1 '--kind relaxed --relaxed top' no; echo
-    printf '%s\t' 'hybrid, delta 0.05' 'cone --kind hybrid --delta 0.05' 1 '--kind hybrid --delta 0.05' yes; echo
-    printf '%s\t' '4 sectors' 'acm --sectors 4' 4 '--sectors 4' yes; echo
-    printf '%s\t' '4 sectors, relaxed' 'acm --sectors 4 --kind relaxed' 4 '--sectors 4 --kind relaxed' yes; echo
-    printf '%s\t' '8 sectors' 'acm --sectors 8' 8 '--sectors 8' yes; echo
-    printf '%s\t' '3 stacked cones' 'cone-stack --levels 3' 3 '--levels 3' yes; echo
+    cat <<'END'
+conservative|cone|1||yes
+conservative, cell lookup|cone --lookup cell|1|--lookup cell|yes
+cone normal|cone-normal|1||yes
+relaxed, strict|cone --kind relaxed|1|--kind relaxed|yes
+relaxed, slope:4|cone --kind relaxed --relaxed slope:4|1|--kind relaxed --relaxed slope:4|no
+relaxed, top|cone --kind relaxed --relaxed top|1|--kind relaxed --relaxed top|no
+hybrid, delta 0.05|cone --kind hybrid --delta 0.05|1|--kind hybrid --delta 0.05|yes
+4 sectors|acm --sectors 4|4|--sectors 4|yes
+4 sectors, relaxed|acm --sectors 4 --kind relaxed|4|--sectors 4 --kind relaxed|yes
+8 sectors|acm --sectors 8|8|--sectors 8|yes
+3 stacked cones|cone-stack --levels 3|3|--levels 3|yes
+END
 }
 
 # One case: bakes, verifies, prints one JSON line. Never fails: a failure is a line with "error".
 if [[ ${1-} == --case ]]; then
-    IFS=$'\t' read -r height family bake planes bench promised <<<"$(tr '\a' '\t' <<<"$2")"
+    IFS='|' read -r height family bake _ _ promised <<<"$2"
     source_options=()
     case ${height##*/} in
         *_depth_*) source_options=(--input depth) ;;
@@ -84,7 +86,7 @@ export scratch results rays points
 # Every family on every map.
 for height in "$folder"/*; do
     families | while IFS= read -r line; do
-        [[ -s $results/${height##*/}.${line%%$'\t'*} ]] || printf '%s\a%s\0' "$height" "$(tr '\t' '\a' <<<"$line")"
+        [[ -s $results/${height##*/}.${line%%|*} ]] || printf '%s|%s\0' "$height" "$line"
     done
 done | xargs -0 -r -P "$jobs" -n 1 "$here/${0##*/}" --case
 cat "$results"/* >"$scratch/lines"
@@ -92,18 +94,17 @@ cat "$results"/* >"$scratch/lines"
 # Four maps closely: size, time, steps, and what is left wrong after few steps.
 closely() {
     local path=$1 options=$2 name=${1##*/}
+    [[ -f $path ]] || return 0
     printf '### %s\n\n| family | bytes a texel, halfs | bake, ns/texel | steps, mean | mse at 10 steps | at 20 | at 30 |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n' "$name"
-    families | while IFS=$'\a' read -r line; do
-        IFS=$'\t' read -r family bake planes bench _ <<<"$line"
-        bake=${bake//$'\a'/ }
+    families | while IFS='|' read -r family bake planes bench _; do
         # shellcheck disable=SC2086 # words
         "$tool" $bake "$path" $options -o "$scratch/close.exr" --quiet 2>/dev/null
         local measures=()
         for steps in 10 20 30; do
-            measures+=("$("$tool" verify "$scratch/close.exr" --crop 0 --points 0 --rays 26000 --steps $steps --json 2>/dev/null | jq '.mse')")
+            measures+=("$("$tool" verify "$scratch/close.exr" --crop 0 --points 0 --rays 6500 --steps $steps --json 2>/dev/null | jq '.mse')")
         done
         local mean ns
-        mean=$("$tool" verify "$scratch/close.exr" --crop 0 --points 0 --rays 26000 --json 2>/dev/null | jq '.steps_mean')
+        mean=$("$tool" verify "$scratch/close.exr" --crop 0 --points 0 --rays 6500 --json 2>/dev/null | jq '.steps_mean')
         # shellcheck disable=SC2086
         ns=$("$tool" bench cone "$path" $options $bench --threads 1 --repeat 2 --json | jq '.search_ns_per_texel')
         LC_ALL=C printf '| %s | %d | %.0f | %.1f | %.2e | %.2e | %.2e |\n' "$family" $((2 * (planes + 3))) "$ns" "$mean" "${measures[@]}"
