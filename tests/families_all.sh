@@ -91,7 +91,7 @@ for height in "$folder"/*; do
 done | xargs -0 -r -P "$jobs" -n 1 "$here/${0##*/}" --case
 cat "$results"/* >"$scratch/lines"
 
-# Four maps closely: size, time, steps, and what is left wrong after few steps.
+# Some maps closely: size, time, steps, and what is left wrong after few steps.
 closely() {
     local path=$1 options=$2 name=${1##*/}
     [[ -f $path ]] || return 0
@@ -125,7 +125,7 @@ closely() {
         "",
         "\(length) maps, \(map(.rays // 0) | add) rays, \(map(.points // 0) | add) points; where the family promises it: \(map(select(.promised) | .missed // 0) | add) missed, \(map(select(.promised) | .violations // 0) | add) violations; \(map(select(.error)) | length) failures."' "$scratch/lines"
     if [[ ! $quick ]]; then
-        printf '\n## Four maps closely\nTimes: one thread, %s.\n\n' "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)"
+        printf '\n## Some maps closely\nTimes: one thread, %s.\n\n' "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)"
         closely "$folder/ambientcg_RoofingTiles009_1K_Displacement.png" ''
         closely "$folder/ambientcg_Moss001_1K_Displacement.png" ''
         closely "$folder/polyhaven_metal_plate_disp_1k.png" ''
