@@ -57,5 +57,12 @@ RelaxedSearch relaxed_bracket(ReliefRay ray) {
         }
         search.hit.t = wall.t + 1e-4 / (abs(direction.x) + abs(direction.y));
     }
+    // Out of steps: the last one may have ended under the relief, and then holds the hit.
+    search.bracket.under = search.hit.t;
+    search.bracket.gap_under = relief_gap(ray, search.hit.t);
+    search.hit.fetches += 1;
+    search.hit.gap = search.bracket.gap_under;
+    search.found = search.hit.gap <= 0.0 && search.hit.t > 0.0;
+    if (search.found) search.hit.status = RELIEF_HIT;
     return search;
 }
