@@ -114,12 +114,9 @@ class ConeBake {
 
   private:
     SearchSurface turned_surface(const Sector& sector, const std::optional<ExitRule>& exits) const {
-        SearchSurface turned = surface_;
-        turned.height = flipped(surface_.height, sector.flip);
-        turned.wedge = sector.wedge;
-        turned.exits = exits;
-        turned.footprint = flipped(surface_.footprint, sector.flip);
-        return turned;
+        return {surface_.grid,        surface_.metric, surface_.model, flipped(surface_.height, sector.flip),
+                surface_.slope_floor, {},              sector.wedge,   exits,
+                flipped(surface_.footprint, sector.flip)};
     }
 
     /// near_slopes are never below those of the widest cone, so the first ones are where a map starts.
@@ -178,9 +175,8 @@ ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatis
     ConeStatistics local;
     ConeBake bake(depth, options, statistics ? *statistics : local);
     Image<float> slopes;
-    if (options.family != ConeFamily::conservative)
-        bake.search_sectors(sectors_of(4), exit_rule(depth, options), slopes);
     if (options.family == ConeFamily::conservative) bake.search_all({}, slopes);
+    else bake.search_sectors(sectors_of(4), exit_rule(depth, options), slopes);
     if (options.family == ConeFamily::hybrid)
         bake.search_all(lifted(bake.surface(), options.hybrid_delta * float(max_code(depth.bits))), slopes);
     return bake.finish(std::move(slopes));

@@ -57,6 +57,7 @@ HWY_INLINE V Square(V a) { return hn::Mul(a, a); }
 HWY_INLINE V NormSquare(V a, V b) { return hn::Add(Square(a), Square(b)); }
 
 /// sup over t in [0, rho] of (a + t b) / sqrt(1 + t^2), positive part, squared: from a cell's corner to its far edge.
+/// (WedgeSlope from 0; apart, because that costs the default bake 3 ns/texel more.)
 HWY_INLINE V ToFarEdge(V a, V b, float rho) {
     const D d;
     const V end = Square(Positive(hn::Add(a, hn::Mul(hn::Set(d, rho), b))));
