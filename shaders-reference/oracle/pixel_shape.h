@@ -1,0 +1,44 @@
+#pragma once
+// A binary shape as its pixel squares, and the exact distance to it (MATHS section 6). It never sees a distance map.
+
+#include "bake/image.h"
+#include "bake/texel_grid.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace reliefbake {
+
+/// A point of the plane and how far it is, texture widths; infinite where there is none.
+struct NearestPoint {
+    double distance = std::numeric_limits<double>::infinity();
+    double u = 0, v = 0; ///< unwrapped
+};
+
+/// The union of closed pixel squares [i, i+1] x [j, j+1] / size. On a repeated axis the pattern goes on for ever, beyond a
+/// clamped border there is nothing. Distances: texture widths, |(du, dv)|^2 = du^2 + (aspect dv)^2; double precision.
+class PixelShape {
+  public:
+    /// inside(i, j) != 0: that square belongs to the shape.
+    PixelShape(const TexelGrid& grid, const Image<std::uint8_t>& inside);
+
+    const TexelGrid& grid() const { return grid_; }
+
+    /// Whether the square around (u, v) belongs to the shape; of a point on an edge, the square right of or below it.
+    bool contains(double u, double v) const;
+    /// The nearest point of the squares inside, or of those outside (clamped axes: of the map's own).
+    NearestPoint nearest(double u, double v, bool inside) const;
+    /// Distance to the shape outside of it, minus the distance to the squares outside within it. +inf: an empty shape; -inf: a
+    /// full one. Within the map it changes by no more than the way gone.
+    double signed_distance(double u, double v) const;
+
+  private:
+    /// What a block of the pyramid holds: bits.
+    enum : std::uint8_t { has_outside = 1, has_inside = 2 };
+
+    TexelGrid grid_;
+    std::vector<Image<std::uint8_t>> levels_; ///< [k]: blocks of 2^k x 2^k squares
+};
+
+} // namespace reliefbake
