@@ -22,15 +22,6 @@ ConeOptions options_of(ConeFamily family, Metric metric = Metric::l2) {
     return options;
 }
 
-/// Hills and valleys with some noise: rays pierce it more than once.
-DepthMap bumpy(const TexelGrid& grid, std::uint32_t seed) {
-    DepthMap map = noise(grid, seed);
-    for (int j = 0; j < grid.height; ++j)
-        for (int i = 0; i < grid.width; ++i)
-            map.level(i, j) = std::floor(0.15f * map.level(i, j) + 100.0f * float(1 + std::sin(i * 0.45 + seed) * std::cos(j * 0.31)));
-    return map;
-}
-
 std::vector<DepthMap> fields() {
     std::vector<DepthMap> all;
     for (Wrap wrap : {Wrap::repeat, Wrap::clamp}) {

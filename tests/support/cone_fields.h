@@ -46,4 +46,13 @@ inline DepthMap adversarial(const TexelGrid& grid, const std::string& name, BitD
     return map;
 }
 
+/// Hills and valleys with some noise: rays pierce it more than once.
+inline DepthMap bumpy(const TexelGrid& grid, std::uint32_t seed) {
+    DepthMap map = noise(grid, seed);
+    for (int j = 0; j < grid.height; ++j)
+        for (int i = 0; i < grid.width; ++i)
+            map.level(i, j) = std::floor(0.15f * map.level(i, j) + 100.0f * float(1 + std::sin(i * 0.45 + seed) * std::cos(j * 0.31)));
+    return map;
+}
+
 } // namespace reliefbake::test
