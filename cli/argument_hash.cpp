@@ -17,18 +17,6 @@ std::string digits(double number) {
     return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
-std::string source_text(const ConeCommandOptions& o) {
-    const HeightOptions& h = o.height;
-    std::string text = "channel=" + o.read.channel + "\ninput=" + word_of(input_words, h.input);
-    text += "\nrange=" + std::to_string(int(h.range));
-    if (h.range == RangeMode::fixed) text += ":" + digits(h.range_low) + ":" + digits(h.range_high);
-    text += "\nnan=" + word_of(nan_words, h.nan);
-    if (h.no_data) text += "\nno-data=" + digits(*h.no_data);
-    text += "\nscale=" + digits(h.scale) + "\nbias=" + digits(h.bias);
-    text += "\nwrap=" + std::to_string(int(h.wrap_x)) + "," + std::to_string(int(h.wrap_y));
-    return text + "\npixel-aspect=" + digits(h.pixel_aspect);
-}
-
 std::string result_text(const ConePlan& plan) {
     std::string text = "\nsurface=" + word_of(surface_words, plan.cone.surface);
     text += "\nmetric=" + word_of(metric_words, plan.cone.metric);
@@ -47,8 +35,19 @@ std::string result_text(const ConePlan& plan) {
 
 } // namespace
 
-std::string argument_hash(const ConePlan& plan) {
-    const std::string text = plan.given.kind + "\n" + source_text(plan.given) + result_text(plan);
+std::string source_text(const ConeCommandOptions& o) {
+    const HeightOptions& h = o.height;
+    std::string text = "channel=" + o.read.channel + "\ninput=" + word_of(input_words, h.input);
+    text += "\nrange=" + std::to_string(int(h.range));
+    if (h.range == RangeMode::fixed) text += ":" + digits(h.range_low) + ":" + digits(h.range_high);
+    text += "\nnan=" + word_of(nan_words, h.nan);
+    if (h.no_data) text += "\nno-data=" + digits(*h.no_data);
+    text += "\nscale=" + digits(h.scale) + "\nbias=" + digits(h.bias);
+    text += "\nwrap=" + std::to_string(int(h.wrap_x)) + "," + std::to_string(int(h.wrap_y));
+    return text + "\npixel-aspect=" + digits(h.pixel_aspect);
+}
+
+std::string hash_of_options(const std::string& text) {
     XXH128_canonical_t canonical;
     XXH128_canonicalFromHash(&canonical, XXH3_128bits(text.data(), text.size()));
     std::string hex;
@@ -56,6 +55,10 @@ std::string argument_hash(const ConePlan& plan) {
         for (const int nibble : {byte >> 4, byte & 15})
             hex += "0123456789abcdef"[nibble];
     return hex;
+}
+
+std::string argument_hash(const ConePlan& plan) {
+    return hash_of_options(plan.given.kind + "\n" + source_text(plan.given) + result_text(plan));
 }
 
 } // namespace reliefbake

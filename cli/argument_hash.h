@@ -12,4 +12,10 @@ namespace reliefbake {
 /// given.
 std::string argument_hash(const ConePlan& plan);
 
+/// The canonical text of the options that say which heights are baked.
+std::string source_text(const ConeCommandOptions& options);
+
+/// The hash of such a text.
+std::string hash_of_options(const std::string& text);
+
 } // namespace reliefbake

@@ -7,10 +7,10 @@
 #include "cli/cone_report.h"
 #include "cli/cone_warnings.h"
 #include "cli/stage_clock.h"
+#include "cli/stored_height.h"
 #include "formats/map_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -19,40 +19,6 @@
 namespace reliefbake {
 
 namespace {
-
-/// A no-data value is given in the file's own numbers; the plane of an integer file is scaled to 0..1.
-Result<HeightOptions> with_no_data(HeightOptions options, const SourceImage& source, const std::string& name) {
-    const double largest = std::ldexp(1.0, source.bit_depth) - 1;
-    const bool given = options.no_data.has_value();
-    if (!given) options.no_data = source.no_data;
-    if (!options.no_data || !source.is_integer) return options;
-    const double code = *options.no_data;
-    if (given && (code < 0 || code > largest || code != std::floor(code)))
-        return fail(ErrorCode::usage, "--no-data: " + name + " holds whole numbers from 0 to " + std::to_string(long(largest)));
-    options.no_data = float(code / largest);
-    return options;
-}
-
-/// The stored surface, and where it comes from.
-struct StoredHeight {
-    SourceImage source; ///< its plane is gone
-    HeightReport report;
-    DepthMap depth;
-};
-
-Result<StoredHeight> read_depth(const ConePlan& plan, StageClock& clock) {
-    const ConeCommandOptions& given = plan.given;
-    Result<SourceImage> source = clock.time("read", [&] { return read_image(given.input, given.read); });
-    if (!source) return tl::unexpected(source.error());
-    const Result<HeightOptions> options = with_no_data(given.height, *source, given.input);
-    if (!options) return tl::unexpected(options.error());
-    const Result<CheckedHeight> height =
-        clock.time("height", [&] { return make_height_field(source->plane, source->is_integer, *options, given.input); });
-    if (!height) return tl::unexpected(height.error());
-    source->plane = {};
-    DepthMap depth = clock.time("quantise", [&] { return quantise_depth(height->field, plan.bits); });
-    return StoredHeight{std::move(*source), height->report, std::move(depth)};
-}
 
 std::vector<ConeMap> bake_kind(const DepthMap& depth, const ConePlan& plan, ConeStatistics& statistics) {
     if (plan.given.adaptive) return bake_sector_cones_adaptive(depth, *plan.given.adaptive, plan.cone);
@@ -103,7 +69,7 @@ Result<void> bake_planned(const ConeCommandOptions& options) {
     const ConeCommandOptions& given = plan.given;
     StageClock clock(!given.quiet);
 
-    Result<StoredHeight> stored = read_depth(plan, clock);
+    Result<StoredHeight> stored = read_stored_height(given, plan.bits, clock);
     if (!stored) return tl::unexpected(stored.error());
     if (given.mips) {
         const Result<MipRun> mips = bake_mips(plan, stored->source, stored->depth, clock);

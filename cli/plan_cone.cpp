@@ -2,14 +2,12 @@
 
 #include "cli/argument_hash.h"
 #include "cli/mip_options.h"
+#include "cli/output_checks.h"
 #include "cli/thread_option.h"
 #include "formats/map_file.h"
 
-#include <cerrno>
 #include <cmath>
 #include <filesystem>
-#include <system_error>
-#include <unistd.h>
 
 namespace reliefbake {
 
@@ -17,38 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string extension_of(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return extension;
-}
-
-/// The deepest codes that every program can read back from the format.
-BitDepth default_bits(const std::string& output) {
-    const std::string extension = extension_of(output);
-    if (extension == ".exr") return BitDepth::float32;
-    return extension == ".tga" ? BitDepth::unorm8 : BitDepth::unorm16;
-}
-
 Result<void> validate_output(const ConeCommandOptions& options) {
-    std::error_code ignored;
-    if (fs::equivalent(options.input, options.output, ignored))
-        return fail(ErrorCode::usage, options.output + ": the output is the input file; choose another name");
+    if (Result<void> other = validate_not_input(options.input, options.output); !other) return other;
     if (!options.relief_output.empty() && fs::path(options.relief_output).lexically_normal() == fs::path(options.output).lexically_normal())
         return fail(ErrorCode::usage, "--relief: is the output itself; choose another name");
     if (options.kind == "cone" && options.layout && extension_of(options.output) != ".exr")
         return fail(ErrorCode::usage, "--exr-layout: needs an .exr output, found '" + options.output + "'");
     return {};
-}
-
-/// Before the work, so that none is lost; the writer checks again.
-Result<void> validate_output_folder(const std::string& output) {
-    const fs::path parent = fs::path(output).parent_path();
-    const fs::path folder = parent.empty() ? "." : parent;
-    if (access(folder.c_str(), W_OK | X_OK) == 0) return {};
-    return fail(ErrorCode::cannot_create, output + ": cannot create a file in " + folder.string() + ": " +
-                                              std::generic_category().message(errno));
 }
 
 /// An unbounded cone has a finite code only as a normal, or as a radius beyond 1 in floats.
@@ -58,14 +31,6 @@ Result<void> validate_cone_max(const ConeCommandOptions& options, BitDepth bits)
     if (std::isfinite(options.cone.ratio_max) || unbounded_codes) return {};
     return fail(ErrorCode::usage,
                 "--cone-max inf: needs --encoding normal, or --encoding radius with --bits half|float");
-}
-
-/// Steeper than anything; beyond, squares of slopes leave double's range.
-constexpr double largest_depth_scale = 1e6;
-
-Result<void> validate_depth_scale(double scale) {
-    if (scale > 0 && scale <= largest_depth_scale) return {};
-    return fail(ErrorCode::usage, "--depth-uv, or --depth over --size: expected a depth above 0 and up to 1e6 texture widths");
 }
 
 /// What the bake cannot make of a family.
@@ -99,11 +64,6 @@ Result<void> validate_relief(const ConePlan& plan) {
     return check_map_format(plan.given.relief_output, plan.bits, ChannelLayout::rgba).and_then([&] {
         return validate_output_folder(plan.given.relief_output);
     });
-}
-
-double depth_scale_of(const ConeCommandOptions& options) {
-    if (options.size_metres) return *options.depth_metres / *options.size_metres;
-    return options.depth_uv.value_or(ReliefMapInfo().depth_scale);
 }
 
 } // namespace

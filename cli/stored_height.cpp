@@ -1,0 +1,39 @@
+#include "cli/stored_height.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace reliefbake {
+
+namespace {
+
+/// A no-data value is given in the file's own numbers; the plane of an integer file is scaled to 0..1.
+Result<HeightOptions> with_no_data(HeightOptions options, const SourceImage& source, const std::string& name) {
+    const double largest = std::ldexp(1.0, source.bit_depth) - 1;
+    const bool given = options.no_data.has_value();
+    if (!given) options.no_data = source.no_data;
+    if (!options.no_data || !source.is_integer) return options;
+    const double code = *options.no_data;
+    if (given && (code < 0 || code > largest || code != std::floor(code)))
+        return fail(ErrorCode::usage, "--no-data: " + name + " holds whole numbers from 0 to " + std::to_string(long(largest)));
+    options.no_data = float(code / largest);
+    return options;
+}
+
+} // namespace
+
+Result<StoredHeight> read_stored_height(const ConeCommandOptions& given, BitDepth bits, StageClock& clock) {
+    Result<SourceImage> source = clock.time("read", [&] { return read_image(given.input, given.read); });
+    if (!source) return tl::unexpected(source.error());
+    const Result<HeightOptions> options = with_no_data(given.height, *source, given.input);
+    if (!options) return tl::unexpected(options.error());
+    const Result<CheckedHeight> height =
+        clock.time("height", [&] { return make_height_field(source->plane, source->is_integer, *options, given.input); });
+    if (!height) return tl::unexpected(height.error());
+    source->plane = {};
+    DepthMap depth = clock.time("quantise", [&] { return quantise_depth(height->field, bits); });
+    return StoredHeight{std::move(*source), height->report, std::move(depth)};
+}
+
+} // namespace reliefbake
