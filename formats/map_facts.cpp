@@ -59,15 +59,6 @@ Result<std::vector<std::string>> names_of(const std::string& order) {
     return names;
 }
 
-Result<BitDepth> bits_of(const ImageClaims& claims, const std::string& name) {
-    const bool whole = claims.bit_depth == 8 * sample_bytes(claims.sample);
-    if (whole && claims.sample == SampleType::uint8) return BitDepth::unorm8;
-    if (whole && claims.sample == SampleType::uint16) return BitDepth::unorm16;
-    if (claims.sample == SampleType::half) return BitDepth::half;
-    if (claims.sample == SampleType::float32) return BitDepth::float32;
-    return fail(ErrorCode::bad_data, name + ": maps have unsigned 8 or 16 bit, half or float samples; these are others");
-}
-
 /// The four channels in the order that the user gives.
 Result<std::vector<LayoutImage>> given_images(const std::string& order) {
     Result<std::vector<std::string>> names = names_of(order);
@@ -126,6 +117,15 @@ ReliefMapInfo info_of(const MapMetadata& metadata, BitDepth bits) {
 
 } // namespace
 
+Result<BitDepth> bits_of_map(const ImageClaims& claims, const std::string& name) {
+    const bool whole = claims.bit_depth == 8 * sample_bytes(claims.sample);
+    if (whole && claims.sample == SampleType::uint8) return BitDepth::unorm8;
+    if (whole && claims.sample == SampleType::uint16) return BitDepth::unorm16;
+    if (claims.sample == SampleType::half) return BitDepth::half;
+    if (claims.sample == SampleType::float32) return BitDepth::float32;
+    return fail(ErrorCode::bad_data, name + ": maps have unsigned 8 or 16 bit, half or float samples; these are others");
+}
+
 std::string join(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -139,7 +139,7 @@ Result<MapFacts> map_facts(const ImageClaims& claims, bool is_targa, const MapHi
     // Only a cone map's order must be told: those of other kinds follow from their layout, or are refused.
     const bool has_order = !hints.channel_order.empty() || metadata.channels || metadata.kind.value_or("cone") != "cone";
     if (Result<void> facts = check_facts(metadata, has_order, is_targa, name); !facts) return tl::unexpected(facts.error());
-    const Result<BitDepth> bits = bits_of(claims, name);
+    const Result<BitDepth> bits = bits_of_map(claims, name);
     if (!bits) return tl::unexpected(bits.error());
 
     MapFacts facts;

@@ -21,6 +21,9 @@ struct MapFacts {
 /// usage (hints.channel_order). `is_targa`: a format that cannot say anything. `name` is the file, for messages.
 Result<MapFacts> map_facts(const ImageClaims& claims, bool is_targa, const MapHints& hints, const std::string& name);
 
+/// The bit depth of a map's samples; bad_data for samples that no map has.
+Result<BitDepth> bits_of_map(const ImageClaims& claims, const std::string& name);
+
 /// "a, b, c"
 std::string join(const std::vector<std::string>& words);
 

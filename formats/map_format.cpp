@@ -42,6 +42,26 @@ Result<MapFormat> map_format_of(const std::filesystem::path& path) {
     return fail(ErrorCode::usage, path.string() + ": maps are written as .png, .tif, .exr, .tga, .dds or .ktx2, not as '" + extension + "'");
 }
 
+const char* writer_name(MapFormat format) {
+    constexpr const char* writers[] = {"png", "tiff", "openexr", "targa"};
+    return writers[int(format)];
+}
+
+const char* sample_name(BitDepth bits) {
+    constexpr const char* samples[] = {"uint8", "uint16", "half", "float"};
+    return samples[int(bits)];
+}
+
+nlohmann::json metadata_attributes(MapFormat format, const nlohmann::json& facts, std::initializer_list<const char*> words) {
+    const std::string text = facts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    nlohmann::json attributes = nlohmann::json::object();
+    if (format == MapFormat::png || format == MapFormat::openexr) attributes["reliefbake"] = text;
+    if (format == MapFormat::tiff) attributes["ImageDescription"] = text;
+    if (format == MapFormat::openexr)
+        for (const char* key : words) attributes[std::string("reliefbake.") + key] = facts[key];
+    return attributes;
+}
+
 Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, ChannelLayout layout) {
     const Result<MapFormat> format = map_format_of(path);
     if (!format) return tl::unexpected(format.error());

@@ -1,5 +1,6 @@
 #include "formats/map_json.h"
 
+#include "formats/fact_reader.h"
 #include "formats/map_layout.h"
 #include "formats/shortest_decimal.h"
 
@@ -10,6 +11,7 @@
 namespace reliefbake {
 
 using nlohmann::json;
+using Reader = FactReader;
 
 namespace {
 
@@ -17,7 +19,6 @@ namespace {
 constexpr std::array metric_words{"l2", "l1"};
 constexpr std::array encoding_words{"ratio", "sqrt", "radius", "normal"};
 constexpr std::array surface_words{"bilinear", "texel"};
-constexpr std::array wrap_words{"repeat", "clamp"};
 constexpr std::array normal_y_words{"gl", "dx"};
 constexpr std::array layout_words{"rgba", "named", "side", "pair"};
 constexpr std::array family_words{"conservative", "relaxed", "hybrid"};
@@ -26,88 +27,11 @@ constexpr std::array lookup_words{"filtered", "cell"};
 
 constexpr double largest_number = 1e30;
 
-// JSON has no infinity.
-constexpr const char* infinity_word = "inf";
-
-json number_or_word(double value) { return std::isinf(value) ? json(infinity_word) : json(value); }
-
-std::optional<double> number_or_infinity(const json& value) {
-    if (value.is_number()) return value.get<double>();
-    if (value == infinity_word) return std::numeric_limits<double>::infinity();
-    return std::nullopt;
-}
-
-json bits_to_json(BitDepth bits) {
-    switch (bits) {
-    case BitDepth::unorm8: return 8;
-    case BitDepth::unorm16: return 16;
-    case BitDepth::half: return "half";
-    case BitDepth::float32: return "float";
-    }
-    return nullptr;
-}
-
-/// Finds values in an object and remembers those that make no sense.
-class Reader {
-  public:
-    Reader(const json& object, std::vector<std::string>& bad_keys) : object_(object), bad_keys_(bad_keys) {}
-
-    std::optional<std::string> text(const char* key) const {
-        const auto value = object_.find(key);
-        if (value == object_.end()) return std::nullopt;
-        if (!value->is_string()) return bad(key);
-        return value->get<std::string>();
-    }
-
-    template <class Enum, std::size_t N>
-    std::optional<Enum> word(const char* key, const std::array<const char*, N>& words) const {
-        const auto value = text(key);
-        if (!value) return std::nullopt;
-        if (const auto found = word_in<Enum>(*value, words)) return found;
-        return bad(key);
-    }
-
-    template <class Enum, std::size_t N>
-    static std::optional<Enum> word_in(const std::string& value, const std::array<const char*, N>& words) {
-        for (std::size_t i = 0; i < N; ++i)
-            if (value == words[i]) return Enum(i);
-        return std::nullopt;
-    }
-
-    /// A finite number in [low, high].
-    std::optional<double> number(const char* key, double low, double high) const {
-        const auto value = object_.find(key);
-        if (value == object_.end()) return std::nullopt;
-        const double x = value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
-        if (!(x >= low && x <= high)) return bad(key);
-        return x;
-    }
-
-    const json* find(const char* key) const {
-        const auto value = object_.find(key);
-        return value == object_.end() ? nullptr : &*value;
-    }
-
-    std::nullopt_t bad(const char* key) const {
-        bad_keys_.emplace_back(key);
-        return std::nullopt;
-    }
-
-  private:
-    const json& object_;
-    std::vector<std::string>& bad_keys_;
-};
-
 void read_wrap(const Reader& reader, MapMetadata& metadata) {
-    const json* pair = reader.find("wrap");
+    const auto pair = reader.wrap("wrap");
     if (!pair) return;
-    const auto axis = [&](std::size_t i) -> std::optional<Wrap> {
-        if (!pair->is_array() || pair->size() != 2 || !(*pair)[i].is_string()) return std::nullopt;
-        return Reader::word_in<Wrap>((*pair)[i].get<std::string>(), wrap_words);
-    };
-    metadata.wrap_x = axis(0);
-    metadata.wrap_y = axis(1);
-    if (!metadata.wrap_x || !metadata.wrap_y) reader.bad("wrap");
+    metadata.wrap_x = pair->first;
+    metadata.wrap_y = pair->second;
 }
 
 void read_channels(const Reader& reader, MapMetadata& metadata) {
@@ -132,13 +56,6 @@ std::optional<int> read_count(const Reader& reader, const char* key, int low, in
     return int(*number);
 }
 
-std::optional<bool> read_flag(const Reader& reader, const char* key) {
-    const json* value = reader.find(key);
-    if (!value) return std::nullopt;
-    if (!value->is_boolean()) return reader.bad(key);
-    return value->get<bool>();
-}
-
 /// What kinds of cones they are; files older than these keys mean the defaults.
 void read_family(const Reader& reader, MapMetadata& metadata) {
     metadata.family = reader.word<ConeFamily>("family", family_words);
@@ -148,7 +65,7 @@ void read_family(const Reader& reader, MapMetadata& metadata) {
     metadata.lookup = reader.word<ConeLookup>("lookup", lookup_words);
     metadata.planes = read_count(reader, "planes", 0, 64);
     metadata.levels = read_count(reader, "levels", 1, 64);
-    metadata.trilinear = read_flag(reader, "trilinear");
+    metadata.trilinear = reader.flag("trilinear");
 }
 
 /// Only what can differ from the meaning of a file without the key.
@@ -165,17 +82,6 @@ void write_family(const ReliefMapInfo& info, json& facts) {
     if (info.trilinear) facts["trilinear"] = true;
 }
 
-void read_statistics(const Reader& reader, MapMetadata& metadata) {
-    const json* statistics = reader.find("statistics");
-    if (!statistics) return;
-    if (!statistics->is_object()) {
-        reader.bad("statistics");
-        return;
-    }
-    for (const auto& [key, value] : statistics->items())
-        if (const auto number = number_or_infinity(value)) metadata.statistics[key] = *number;
-}
-
 std::optional<float> read_cone_max(const Reader& reader) {
     const json* value = reader.find("cone_max");
     if (value && *value == infinity_word) return std::numeric_limits<float>::infinity();
@@ -186,8 +92,6 @@ std::optional<float> read_cone_max(const Reader& reader) {
 } // namespace
 
 json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
-    json statistics = json::object();
-    for (const auto& [key, value] : info.statistics) statistics[key] = number_or_word(value);
     json facts = {
         {"kind", info.kind},
         {"version", info.version},
@@ -195,7 +99,7 @@ json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
         {"height", grid.height},
         {"aspect", grid.aspect()},
         {"pixel_aspect", grid.pixel_aspect},
-        {"wrap", {wrap_words[std::size_t(grid.wrap_x)], wrap_words[std::size_t(grid.wrap_y)]}},
+        {"wrap", wrap_to_json(grid)},
         {"metric", metric_words[std::size_t(info.metric)]},
         {"surface", surface_words[std::size_t(info.surface)]},
         {"encoding", encoding_words[std::size_t(info.encoding)]},
@@ -209,7 +113,7 @@ json to_json(const ReliefMapInfo& info, const TexelGrid& grid) {
         {"guarantee", info.guarantee},
         {"source_hash", info.source_hash},
         {"argument_hash", info.argument_hash},
-        {"statistics", std::move(statistics)},
+        {"statistics", numbers_to_json(info.statistics)},
     };
     if (is_known_kind(info.kind)) facts["channels"] = layout_images(info)[0].channels;
     write_family(info, facts);
@@ -240,7 +144,7 @@ MapMetadata map_metadata_from(const std::string& text) {
     read_wrap(reader, metadata);
     read_channels(reader, metadata);
     read_family(reader, metadata);
-    read_statistics(reader, metadata);
+    metadata.statistics = reader.numbers("statistics");
     return metadata;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace reliefbake {
 
@@ -19,5 +20,8 @@ std::uint64_t interleaved_bytes(const ReliefMap& map, const LayoutImage& image, 
 /// Writes the image's samples, top row first, in the machine's byte order: unorm as integer codes, half as the nearest
 /// half, float as it is. The map's planes hold code / max_code when `as` is unorm.
 void interleave(const ReliefMap& map, const LayoutImage& image, BitDepth as, std::byte* out);
+
+/// The same for an image whose channels are these planes, all of one size.
+void interleave(std::span<const Image<float>* const> planes, BitDepth as, std::byte* out);
 
 } // namespace reliefbake

@@ -24,32 +24,17 @@ std::string metadata_text(const ReliefMap& map) {
     return to_json(map.info, map.grid).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
-/// Where each format keeps a text that survives: PNG a tEXt chunk, EXR an attribute (and the important words one by one,
-/// for people with exrheader), TIFF ImageDescription; TGA has 324 characters, too few.
-nlohmann::json metadata_attributes(MapFormat format, const ReliefMap& map) {
-    const nlohmann::json facts = to_json(map.info, map.grid);
-    const std::string text = metadata_text(map);
-    nlohmann::json attributes = nlohmann::json::object();
-    if (format == MapFormat::png || format == MapFormat::openexr) attributes["reliefbake"] = text;
-    if (format == MapFormat::tiff) attributes["ImageDescription"] = text;
-    if (format == MapFormat::openexr)
-        for (const char* key : {"kind", "family", "metric", "encoding", "surface", "normal_y", "guarantee"})
-            attributes[std::string("reliefbake.") + key] = facts[key];
-    return attributes;
-}
-
 EncodeRequest request_for(MapFormat format, Levels levels, const LayoutImage& image) {
-    constexpr const char* writers[] = {"png", "tiff", "openexr", "targa"};
-    constexpr const char* samples[] = {"uint8", "uint16", "half", "float"};
     const ReliefMap& map = levels[0];
     EncodeRequest request;
-    request.writer = writers[int(format)];
+    request.writer = writer_name(format);
     request.width = image_width(map, image);
     request.height = map.grid.height;
     request.channels = image.channels;
-    request.sample = samples[int(map.info.bits)];
+    request.sample = sample_name(map.info.bits);
     request.pixels = is_unorm(map.info.bits) ? request.sample : "float";
-    request.attributes = metadata_attributes(format, map);
+    request.attributes = metadata_attributes(format, to_json(map.info, map.grid),
+                                             {"kind", "family", "metric", "encoding", "surface", "normal_y", "guarantee"});
     for (const ReliefMap& level : levels.subspan(1)) request.mips.emplace_back(image_width(level, image), level.grid.height);
     return request;
 }
