@@ -2,6 +2,7 @@
 
 #include "cli/bake_cone.h"
 #include "cli/bake_families.h"
+#include "cli/bake_shape.h"
 #include "cli/bench_cone.h"
 #include "cli/bench_dynamic.h"
 #include "cli/explain.h"
@@ -23,6 +24,7 @@ constexpr CommandEntry all_commands[] = {
     {"acm", "Bake an anisotropic cone map: one cone per sector of azimuth", make<AcmCommand>},
     {"cone-normal", "Bake a cone normal map: no cap, the code is also a distance", make<ConeNormalCommand>},
     {"cone-stack", "Bake cones stacked above each texel", make<ConeStackCommand>},
+    {"shape", "Bake a binary shape into a shape map (gradient, distance, shape)", make<ShapeCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},

@@ -36,7 +36,11 @@ void add_wrap_option(CLI::App& app, WrapChoice& x, WrapChoice& y) {
 }
 
 void add_wrap_hint(CLI::App& app, std::optional<Wrap>& x, std::optional<Wrap>& y) {
-    add_option(app, wrap_words, x, y, "Addressing the map was baked for, for both axes or X,Y");
+    add_told_wrap(app, x, y, "Addressing the map was baked for, for both axes or X,Y");
+}
+
+void add_told_wrap(CLI::App& app, std::optional<Wrap>& x, std::optional<Wrap>& y, const std::string& help) {
+    add_option(app, wrap_words, x, y, help);
 }
 
 } // namespace reliefbake
