@@ -1,11 +1,10 @@
 #include "shaders-reference/renderer/relief_renderer.h"
 
-#include "shaders-reference/renderer/gl_objects.h"
 #include "shaders-reference/renderer/max_mip.h"
+#include "shaders-reference/renderer/offscreen.h"
 #include "shaders-reference/renderer/resolve.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -25,52 +24,9 @@ struct CompiledProgram {
     GlProgram program;
 };
 
-/// Framebuffer of one picture size; textures in the order of relief_plane.frag's outputs.
-struct Target {
-    int width = 0;
-    int height = 0;
-    GlTexture plane[planes];
-    GlTexture depth;
-    GlFramebuffer framebuffer;
-};
-
-/// Four channels of a texture; a null one is 0 throughout.
-using Channels = std::array<const Image<float>*, 4>;
-
-/// Interleaves channels as the texture's type; unorm values become integer codes of `full`.
-template <class Code>
-std::vector<Code> interleave(const Channels& channels, std::size_t count, float full) {
-    std::vector<Code> texels;
-    texels.reserve(count * 4);
-    const auto code = [full](float value) {
-        if constexpr (std::is_floating_point_v<Code>) return value;
-        else return Code(std::lround(value * full));
-    };
-    for (std::size_t i = 0; i < count; ++i)
-        for (const Image<float>* channel : channels) texels.push_back(channel ? code((*channel)[i]) : Code(0));
-    return texels;
-}
-
-GLint gl_wrap(Wrap wrap) { return wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; }
-
-GlTexture upload(const GlFunctions& gl, const Channels& channels, const TexelGrid& grid, BitDepth bits, SamplerFilter filter) {
-    const std::size_t count = std::size_t(grid.width) * std::size_t(grid.height);
-    const auto texture_of = [&](const TextureFormat& format, const void* pixels) {
-        return make_texture(gl, format, grid.width, grid.height, pixels);
-    };
-    GlTexture texture;
-    if (filter == SamplerFilter::fixed8) {
-        texture = texture_of({GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, interleave<GLubyte>(channels, count, 255).data());
-    } else if (is_unorm(bits)) {
-        texture = texture_of({GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT}, interleave<GLushort>(channels, count, 65535).data());
-    } else {
-        texture = texture_of({GL_RGBA32F, GL_RGBA, GL_FLOAT}, interleave<GLfloat>(channels, count, 1).data());
-    }
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap(grid.wrap_x));
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, gl_wrap(grid.wrap_y));
-    return texture;
+TexelStorage storage_of(BitDepth bits, SamplerFilter filter) {
+    if (filter == SamplerFilter::fixed8) return TexelStorage::unorm8;
+    return is_unorm(bits) ? TexelStorage::unorm16 : TexelStorage::float32;
 }
 
 const Image<float>* channel_or_null(const Image<float>& channel) { return channel.empty() ? nullptr : &channel; }
@@ -80,15 +36,15 @@ const Image<float>* channel_or_null(const Image<float>& channel) { return channe
 GlTexture upload_map(const GlFunctions& gl, const ReliefMap& map, SamplerFilter filter) {
     const bool no_normals = map.normal_x.empty() || map.normal_y.empty();
     const Image<float> flat(no_normals ? map.grid.width : 1, no_normals ? map.grid.height : 1, is_unorm(map.info.bits) ? 0.5f : 0.0f);
-    return upload(gl, {no_normals ? &flat : &map.normal_x, no_normals ? &flat : &map.normal_y, channel_or_null(map.cone), &map.depth},
-                  map.grid, map.info.bits, filter);
+    return upload_texture(gl, {no_normals ? &flat : &map.normal_x, no_normals ? &flat : &map.normal_y, channel_or_null(map.cone), &map.depth},
+                  map.grid, storage_of(map.info.bits, filter));
 }
 
 /// Cone planes 4 `group` to 4 `group` + 3.
 GlTexture upload_cones(const GlFunctions& gl, const ReliefMap& map, std::size_t group, SamplerFilter filter) {
     Channels channels{};
     for (std::size_t k = 4 * group; k < std::min(4 * group + 4, map.cone_planes.size()); ++k) channels[k % 4] = &map.cone_planes[k];
-    return upload(gl, channels, map.grid, map.info.bits, filter);
+    return upload_texture(gl, channels, map.grid, storage_of(map.info.bits, filter));
 }
 
 GlTexture upload_max_mip(const GlFunctions& gl, const MaxMip& mip) {
@@ -119,41 +75,11 @@ Result<void> check_served(const ShaderConfig& config, bool cones) {
     return {};
 }
 
-/// OpenGL's first row is the picture's last.
-template <class T>
-Image<T> flipped(const Image<T>& image) {
-    Image<T> result(image.width(), image.height());
-    for (int y = 0; y < image.height(); ++y)
-        std::copy_n(image.row(image.height() - 1 - y), image.width(), result.row(y));
-    return result;
-}
-
-/// Sets uniforms by name; names that a program does not use are ignored by OpenGL.
-class Uniforms {
-  public:
-    Uniforms(const GlFunctions& gl, GLuint program) : gl_(gl), program_(program) {}
-    void set(const char* name, float x) const { gl_.Uniform1f(at(name), x); }
-    void set(const char* name, int x) const { gl_.Uniform1i(at(name), x); }
-    void set(const char* name, int x, int y) const { gl_.Uniform2i(at(name), x, y); }
-    void set(const char* name, float x, float y) const { gl_.Uniform2f(at(name), x, y); }
-    void set(const char* name, const Vec3& v) const { gl_.Uniform3f(at(name), float(v[0]), float(v[1]), float(v[2])); }
-    void set(const char* name, const Quad& v) const { gl_.Uniform4f(at(name), v[0], v[1], v[2], v[3]); }
-
-  private:
-    GLint at(const char* name) const { return gl_.GetUniformLocation(program_, name); }
-    const GlFunctions& gl_;
-    GLuint program_;
-};
-
 } // namespace
 
 struct ReliefRenderer::State {
-    std::unique_ptr<GlContext> context;
-    GlFunctions gl;
-    int largest = 0; ///< texture side the driver takes
-    GlVertexArray vertex_array;
+    Offscreen screen; ///< outlives what is made with it
     std::vector<CompiledProgram> programs;
-    std::optional<Target> target;
     GlTexture map;
     GlTexture cones[2];       ///< planes of maps with several cones a texel
     GlTexture max_mip;        ///< made when a technique first asks for it
@@ -166,80 +92,27 @@ struct ReliefRenderer::State {
     TexelGrid grid;
     double delta = 0;
 
-    ~State() {
-        if (context) context->make_current();
-    }
+    ~State() { screen.make_current(); }
 
-    Result<void> open(RendererBackend backend);
     Result<GLuint> program(const ShaderConfig& config);
-    Result<void> prepare_target(int width, int height);
     void prepare_max_mip();
     void set_uniforms(GLuint program, const RenderOptions& options) const;
-    Image<Quad> read_plane(int index) const;
-    Image<float> read_depth() const;
 };
-
-Result<void> ReliefRenderer::State::open(RendererBackend backend) {
-    Result<std::unique_ptr<GlContext>> made = make_gl_context(backend);
-    if (!made) return tl::unexpected<Error>(made.error());
-    context = std::move(*made);
-    bool complete = true;
-#define RELIEFBAKE_GL_LOAD(type, name)                                                                                   \
-    gl.name = reinterpret_cast<type>(context->address("gl" #name));                                                      \
-    complete = complete && gl.name;
-    RELIEFBAKE_GL_FUNCTIONS(RELIEFBAKE_GL_LOAD)
-#undef RELIEFBAKE_GL_LOAD
-    GLint major = 0, minor = 0;
-    if (complete) {
-        gl.GetIntegerv(GL_MAJOR_VERSION, &major);
-        gl.GetIntegerv(GL_MINOR_VERSION, &minor);
-    }
-    if (major * 10 + minor < 33) return fail(ErrorCode::usage, "the OpenGL driver is older than 3.3 core");
-    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    GLuint name = 0;
-    gl.GenVertexArrays(1, &name);
-    vertex_array = GlVertexArray(gl, name);
-    return {};
-}
 
 Result<GLuint> ReliefRenderer::State::program(const ShaderConfig& config) {
     for (const CompiledProgram& known : programs)
         if (known.config == config) return known.program.name();
-    Result<GlProgram> made = make_program(gl, vertex_source(Prelude::core330), fragment_source(config, Prelude::core330));
+    Result<GlProgram> made = make_program(screen.gl(), vertex_source(Prelude::core330), fragment_source(config, Prelude::core330));
     if (!made) return tl::unexpected<Error>(made.error());
     programs.push_back({config, std::move(*made)});
     return programs.back().program.name();
 }
 
-Result<void> ReliefRenderer::State::prepare_target(int width, int height) {
-    if (target && target->width == width && target->height == height) return {};
-    target.emplace();
-    target->width = width;
-    target->height = height;
-    GLuint name = 0;
-    gl.GenFramebuffers(1, &name);
-    target->framebuffer = GlFramebuffer(gl, name);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, name);
-    GLenum attachments[planes];
-    for (int i = 0; i < planes; ++i) {
-        target->plane[i] = make_texture(gl, {GL_RGBA32F, GL_RGBA, GL_FLOAT}, width, height, nullptr);
-        attachments[i] = GLenum(GL_COLOR_ATTACHMENT0 + i);
-        gl.FramebufferTexture2D(GL_FRAMEBUFFER, attachments[i], GL_TEXTURE_2D, target->plane[i].name(), 0);
-    }
-    target->depth = make_texture(gl, {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT}, width, height, nullptr);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, target->depth.name(), 0);
-    gl.DrawBuffers(planes, attachments);
-    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return {};
-    target.reset();
-    return fail(ErrorCode::usage, std::string("the OpenGL driver cannot render to float textures of ") + std::to_string(width) + "x" +
-                                      std::to_string(height));
-}
-
 void ReliefRenderer::State::prepare_max_mip() {
     if (max_mip.name()) return;
     MaxMip mip = build_max_mip(depth, grid);
-    gl.ActiveTexture(GL_TEXTURE0 + max_mip_unit);
-    max_mip = upload_max_mip(gl, mip);
+    screen.gl().ActiveTexture(GL_TEXTURE0 + max_mip_unit);
+    max_mip = upload_max_mip(screen.gl(), mip);
     max_mip_top = mip.top();
     max_mip_size.cells_x = mip.cells_x, max_mip_size.cells_y = mip.cells_y;
 }
@@ -247,10 +120,10 @@ void ReliefRenderer::State::prepare_max_mip() {
 void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& options) const {
     const bool repeats = grid.wrap_x == Wrap::repeat && grid.wrap_y == Wrap::repeat;
     const int tiles = repeats ? options.tiles : 1;
-    const Camera camera = make_camera(grid, options.view, tiles, double(target->width) / target->height);
+    const Camera camera = make_camera(grid, options.view, tiles, double(screen.width()) / screen.height());
     const float low = repeats && options.endless ? -endless_reach : 0;
     const float high = repeats && options.endless ? endless_reach : float(tiles);
-    const Uniforms uniforms(gl, program);
+    const Uniforms uniforms(screen.gl(), program);
     uniforms.set("relief_map", map_unit);
     uniforms.set("given_hits", given_unit);
     uniforms.set("relief_cones_0", cones_unit);
@@ -275,21 +148,8 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     uniforms.set("camera_right", camera.right);
     uniforms.set("camera_up", camera.up);
     uniforms.set("camera_range", float(camera.near), float(camera.far));
-    uniforms.set("picture_size", float(target->width), float(target->height));
+    uniforms.set("picture_size", float(screen.width()), float(screen.height()));
     uniforms.set("plane_bounds", Quad{low, low, high, high});
-}
-
-Image<Quad> ReliefRenderer::State::read_plane(int index) const {
-    Image<Quad> plane(target->width, target->height);
-    gl.ReadBuffer(GLenum(GL_COLOR_ATTACHMENT0 + index));
-    gl.ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, plane.data());
-    return flipped(plane);
-}
-
-Image<float> ReliefRenderer::State::read_depth() const {
-    Image<float> plane(target->width, target->height);
-    gl.ReadPixels(0, 0, target->width, target->height, GL_DEPTH_COMPONENT, GL_FLOAT, plane.data());
-    return flipped(plane);
 }
 
 ReliefRenderer::ReliefRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -299,15 +159,15 @@ ReliefRenderer::~ReliefRenderer() = default;
 
 Result<ReliefRenderer> ReliefRenderer::create(RendererBackend backend) {
     auto state = std::make_unique<State>();
-    if (Result<void> opened = state->open(backend); !opened) return tl::unexpected<Error>(opened.error());
+    if (Result<void> opened = state->screen.open(backend); !opened) return tl::unexpected<Error>(opened.error());
     return ReliefRenderer(std::move(state));
 }
 
 Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
     if (map.depth.empty()) return fail(ErrorCode::usage, "the map has no depth channel: nothing can be drawn without one");
-    if (std::max(map.grid.width, map.grid.height) > state_->largest) {
+    if (std::max(map.grid.width, map.grid.height) > state_->screen.largest()) {
         return fail(ErrorCode::usage, std::string("the map is larger than the OpenGL driver's textures (") +
-                                          std::to_string(state_->largest) + " texels a side)");
+                                          std::to_string(state_->screen.largest()) + " texels a side)");
     }
     if (filter == SamplerFilter::fixed8 && map.info.bits != BitDepth::unorm8) {
         return fail(ErrorCode::usage, "--filter fixed8 tests 8-bit maps only; this map is not 8-bit");
@@ -315,10 +175,10 @@ Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
     if (map.depth.empty()) return fail(ErrorCode::usage, std::string("the map has no depth channel"));
     if (map.cone_planes.size() > 8)
         return fail(ErrorCode::usage, "the renderer takes up to 8 sectors or levels; this map has " + std::to_string(map.cone_planes.size()));
-    state_->context->make_current();
-    state_->map = upload_map(state_->gl, map, filter);
+    state_->screen.make_current();
+    state_->map = upload_map(state_->screen.gl(), map, filter);
     for (std::size_t group = 0; group < 2; ++group)
-        state_->cones[group] = map.cone_planes.size() > 4 * group ? upload_cones(state_->gl, map, group, filter) : GlTexture();
+        state_->cones[group] = map.cone_planes.size() > 4 * group ? upload_cones(state_->screen.gl(), map, group, filter) : GlTexture();
     state_->max_mip = GlTexture();
     state_->depth = map.depth;
     state_->decoder = shader_config(map, Technique::cone, false);
@@ -331,11 +191,11 @@ Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
 
 Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     State& state = *state_;
-    const GlFunctions& gl = state.gl;
+    const Offscreen& screen = state.screen;
     const int width = options.width * options.supersample;
     const int height = options.height * options.supersample;
-    if (options.width < 1 || options.height < 1 || std::max(width, height) > state.largest) {
-        return fail(ErrorCode::usage, std::string("the picture, supersampled, must have 1 to ") + std::to_string(state.largest) +
+    if (options.width < 1 || options.height < 1 || std::max(width, height) > screen.largest()) {
+        return fail(ErrorCode::usage, std::string("the picture, supersampled, must have 1 to ") + std::to_string(screen.largest()) +
                                           " pixels a side");
     }
     ShaderConfig config = state.decoder;
@@ -344,50 +204,39 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     config.shadow = options.shadow;
     config.ambient = options.ambient.value_or(config.ambient);
     if (Result<void> served = check_served(config, state.has_cones); !served) return tl::unexpected<Error>(served.error());
-    state.context->make_current();
+    screen.make_current();
     const Result<GLuint> program = state.program(config);
     if (!program) return tl::unexpected<Error>(program.error());
-    if (Result<void> ready = state.prepare_target(width, height); !ready) return tl::unexpected<Error>(ready.error());
+    if (Result<void> ready = state.screen.prepare(width, height, planes); !ready) return tl::unexpected<Error>(ready.error());
 
     // Bind the map, its cones, the pyramid, and the hits that were given.
     if (options.technique == Technique::max_mip) state.prepare_max_mip();
-    const auto bind = [&gl](GLint unit, const GlTexture& texture) {
-        gl.ActiveTexture(GLenum(GL_TEXTURE0 + unit));
-        gl.BindTexture(GL_TEXTURE_2D, texture.name());
-    };
-    bind(cones_unit, state.cones[0]);
-    bind(cones_unit + 1, state.cones[1]);
-    bind(max_mip_unit, state.max_mip);
+    screen.bind(cones_unit, state.cones[0]);
+    screen.bind(cones_unit + 1, state.cones[1]);
+    screen.bind(max_mip_unit, state.max_mip);
     GlTexture given;
-    gl.ActiveTexture(GL_TEXTURE0 + given_unit);
+    screen.gl().ActiveTexture(GL_TEXTURE0 + given_unit);
     if (options.given) {
         const Image<Quad> rows = flipped(*options.given);
-        given = make_texture(gl, {GL_RGBA32F, GL_RGBA, GL_FLOAT}, rows.width(), rows.height(), rows.data());
+        given = make_texture(screen.gl(), {GL_RGBA32F, GL_RGBA, GL_FLOAT}, rows.width(), rows.height(), rows.data());
     }
-    bind(map_unit, state.map);
+    screen.bind(map_unit, state.map);
 
     // Draw.
     const auto start = std::chrono::steady_clock::now();
-    gl.BindFramebuffer(GL_FRAMEBUFFER, state.target->framebuffer.name());
-    gl.Viewport(0, 0, width, height);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_ALWAYS);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    gl.UseProgram(*program);
+    screen.begin(*program);
     state.set_uniforms(*program, options);
-    gl.BindVertexArray(state.vertex_array.name());
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.Finish();
+    screen.draw();
     Rendering rendering;
     rendering.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     // Read back.
-    rendering.colour = resolve_picture(state.read_plane(0), options.supersample);
-    rendering.hit = state.read_plane(1);
-    rendering.counts = state.read_plane(2);
-    rendering.ray = state.read_plane(3);
-    rendering.depth = state.read_depth();
-    if (gl.GetError() != GL_NO_ERROR) return fail(ErrorCode::internal, "the OpenGL driver reports an error");
+    rendering.colour = resolve_picture(screen.read_plane(0), options.supersample);
+    rendering.hit = screen.read_plane(1);
+    rendering.counts = screen.read_plane(2);
+    rendering.ray = screen.read_plane(3);
+    rendering.depth = screen.read_depth();
+    if (screen.gl().GetError() != GL_NO_ERROR) return fail(ErrorCode::internal, "the OpenGL driver reports an error");
     return rendering;
 }
 
