@@ -3,9 +3,8 @@
 #include <cmath>
 
 namespace reliefbake {
-namespace {
 
-double filtered(const Image<float>& channel, const TexelGrid& grid, double u, double v) {
+double filtered_code(const Image<float>& channel, const TexelGrid& grid, double u, double v) {
     const double x = u * grid.width - 0.5;
     const double y = v * grid.height - 0.5;
     const int i = int(std::floor(x));
@@ -19,17 +18,15 @@ double filtered(const Image<float>& channel, const TexelGrid& grid, double u, do
     return (1 - b) * ((1 - a) * top[left] + a * top[right]) + b * ((1 - a) * bottom[left] + a * bottom[right]);
 }
 
-} // namespace
-
 double sampled_ratio(const ReliefMap& map, const Image<float>& codes, double u, double v, Fetch fetch) {
     const TexelGrid& grid = map.grid;
     double code = 0, depth = 0;
     if (fetch == Fetch::bilinear) {
-        code = filtered(codes, grid, u, v);
-        depth = filtered(map.depth, grid, u, v);
+        code = filtered_code(codes, grid, u, v);
+        depth = filtered_code(map.depth, grid, u, v);
     } else if (fetch == Fetch::cell) {
         code = codes(grid.address_x(int(std::floor(u * grid.width - 0.5))), grid.address_y(int(std::floor(v * grid.height - 0.5))));
-        depth = filtered(map.depth, grid, u, v);
+        depth = filtered_code(map.depth, grid, u, v);
     } else {
         const int i = grid.address_x(int(std::floor(u * grid.width)));
         const int j = grid.address_y(int(std::floor(v * grid.height)));

@@ -11,6 +11,9 @@ enum class Fetch {
     cell, ///< ConeLookup::cell: the code of the cell, beside the filtered depth
 };
 
+/// A channel at (u, v), filtered bilinearly.
+double filtered_code(const Image<float>& channel, const TexelGrid& grid, double u, double v);
+
 /// Cone ratio that a shader decodes at (u, v) from one of the map's planes of codes: they are filtered, then decoded.
 double sampled_ratio(const ReliefMap& map, const Image<float>& codes, double u, double v, Fetch fetch);
 

@@ -17,12 +17,14 @@ struct Block {
     int level, i, j, tile_x, tile_y;
 };
 
-/// How far x is from [low, high], and the point of it nearest to x.
+/// How far x is from [low, high].
 double clamped_gap(double x, double low, double high) { return std::max({low - x, x - high, 0.0}); }
 
 } // namespace
 
-PixelShape::PixelShape(const TexelGrid& grid, const Image<std::uint8_t>& inside) : grid_(grid) {
+PixelShape::PixelShape(const TexelGrid& grid, const Image<std::uint8_t>& inside, ShapeModel model)
+    : grid_(grid), margin_(model == ShapeModel::centres ? 0.5 : 0) {
+    assert(model != ShapeModel::contour);
     assert(inside.width() == grid.width && inside.height() == grid.height);
     Image<std::uint8_t> level(grid.width, grid.height);
     for (std::size_t k = 0; k < level.size(); ++k) level[k] = inside[k] ? has_inside : has_outside;
@@ -37,6 +39,7 @@ PixelShape::PixelShape(const TexelGrid& grid, const Image<std::uint8_t>& inside)
 }
 
 bool PixelShape::contains(double u, double v) const {
+    if (margin_ > 0) return false;
     const double x = u * grid_.width, y = v * grid_.height;
     const double i = std::floor(x - whole_tiles(x, grid_.width, grid_.wrap_x) * grid_.width);
     const double j = std::floor(y - whole_tiles(y, grid_.height, grid_.wrap_y) * grid_.height);
@@ -56,8 +59,8 @@ NearestPoint PixelShape::nearest(double u, double v, bool inside) const {
     };
     const auto reach = [&](const Block& block) {
         const double left = double(block.tile_x) * grid_.width, top = double(block.tile_y) * grid_.height;
-        return Reach{left + (block.i << block.level), left + std::min((block.i + 1) << block.level, grid_.width),
-                     top + (block.j << block.level), top + std::min((block.j + 1) << block.level, grid_.height)};
+        return Reach{left + (block.i << block.level) + margin_, left + std::min((block.i + 1) << block.level, grid_.width) - margin_,
+                     top + (block.j << block.level) + margin_, top + std::min((block.j + 1) << block.level, grid_.height) - margin_};
     };
     const auto block_at = [&](int level, int i, int j, int tile_x, int tile_y) {
         Block block{0, level, i, j, tile_x, tile_y};
@@ -86,7 +89,7 @@ NearestPoint PixelShape::nearest(double u, double v, bool inside) const {
         const Image<std::uint8_t>& level = levels_[std::size_t(block.level)];
         const std::uint8_t holds = level(block.i, block.j);
         if (block.distance2 >= best2 || !(holds & wanted)) continue;
-        if (holds == wanted) { // nothing else in it: a rectangle
+        if (holds == wanted && (margin_ == 0 || block.level == 0)) { // nothing else in it: a rectangle
             const Reach r = reach(block);
             best2 = block.distance2;
             best.u = std::clamp(x, r.low_x, r.high_x) / grid_.width + tiles_u;

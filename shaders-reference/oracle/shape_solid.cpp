@@ -53,12 +53,13 @@ double safe_step(const ShapeSolid& solid, double gap, double z, double speed, do
 
 } // namespace
 
-double domain_exit(const ShapeSolid& solid, const SolidRay& ray) {
+double domain_exit(const TexelGrid& grid, const ShapeSolid& solid, const SolidRay& ray) {
     const Point3 &o = ray.origin, &d = ray.direction;
     if (solid.kind == SolidKind::extrusion) {
-        const double through = slab_exit(o[2], d[2], 0, 1);
-        if (solid.endless) return through;
-        return std::min({through, slab_exit(o[0], d[0], 0, solid.tiles), slab_exit(o[1], d[1], 0, solid.tiles)});
+        const auto side_exit = [&](std::size_t axis, Wrap wrap) {
+            return solid.on_plane && wrap == Wrap::repeat ? infinity : slab_exit(o[axis], d[axis], 0, solid.tiles);
+        };
+        return std::min({slab_exit(o[2], d[2], 0, 1), side_exit(0, grid.wrap_x), side_exit(1, grid.wrap_y)});
     }
     // |o + t d|^2 = radius^2, its larger root.
     const double radius = 1 - solid.axis, a = d[0] * d[0] + d[1] * d[1];

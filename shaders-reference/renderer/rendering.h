@@ -20,6 +20,7 @@ enum class RayStatus {
     no_ray = 0,       ///< the pixel shows no relief
     hit = 1,
     out_of_steps = 2, ///< the march stopped above the relief
+    passed = 3,       ///< solids: left the domain without a hit
 };
 
 using Quad = std::array<float, 4>;

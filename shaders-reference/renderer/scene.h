@@ -31,6 +31,9 @@ struct Camera {
 /// A camera that looks at the centre of `tiles` x `tiles` repeats (one for clamped maps).
 Camera make_camera(const TexelGrid& grid, const View& view, int tiles, double picture_aspect);
 
+/// A camera that looks at a ball and sees all of it. The view's angle goes from 0, from above, to 180, from below; its span is not used.
+Camera make_orbit_camera(const Vec3& middle, double radius, const View& view, double picture_aspect);
+
 /// Unit vector towards the light.
 Vec3 sun_direction(const Sun& sun, const View& view);
 

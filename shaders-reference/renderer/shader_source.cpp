@@ -82,13 +82,13 @@ ShaderConfig shader_config(const ReliefMap& map, Technique technique, bool exact
     return config;
 }
 
-std::string vertex_source(Prelude prelude) {
-    return std::string(shader_text(prelude_file(prelude))) + std::string(shader_text("fullscreen.vert"));
-}
+std::string prelude_text(Prelude prelude) { return std::string(shader_text(prelude_file(prelude))); }
+
+std::string vertex_source(Prelude prelude) { return prelude_text(prelude) + std::string(shader_text("fullscreen.vert")); }
 
 std::string fragment_source(const ShaderConfig& config, Prelude prelude) {
     const TechniqueInfo& technique = technique_info(config.technique);
-    std::string source(shader_text(prelude_file(prelude)));
+    std::string source = prelude_text(prelude);
     const auto define = [&source](std::string_view name, std::string_view value) {
         source.append("#define ").append(name).append(" ").append(value).append("\n");
     };

@@ -55,6 +55,7 @@ ShaderConfig shader_config(const ReliefMap& map, Technique technique, bool exact
 /// The first lines of a shader, which choose the language.
 enum class Prelude { core330, core450, es300 };
 
+std::string prelude_text(Prelude prelude);
 std::string vertex_source(Prelude prelude);
 std::string fragment_source(const ShaderConfig& config, Prelude prelude);
 

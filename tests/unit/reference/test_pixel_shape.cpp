@@ -12,14 +12,14 @@ using namespace reliefbake::test;
 namespace {
 
 /// Over all squares and, on repeated axes, three tiles either way.
-double brute_distance(const TexelGrid& grid, const Image<std::uint8_t>& shape, double u, double v, bool inside) {
+double brute_distance(const TexelGrid& grid, const Image<std::uint8_t>& shape, double u, double v, bool inside, double margin) {
     double best = INFINITY;
     const int tiles_x = grid.wrap_x == Wrap::repeat ? 3 : 0, tiles_y = grid.wrap_y == Wrap::repeat ? 3 : 0;
     for (int j = -tiles_y * grid.height; j < (tiles_y + 1) * grid.height; ++j)
         for (int i = -tiles_x * grid.width; i < (tiles_x + 1) * grid.width; ++i) {
             if ((shape(grid.address_x(i), grid.address_y(j)) != 0) != inside) continue;
             const double x = u * grid.width, y = v * grid.height;
-            const double dx = std::max({i - x, x - (i + 1), 0.0}), dy = std::max({j - y, y - (j + 1), 0.0});
+            const double dx = std::max({i + margin - x, x - (i + 1 - margin), 0.0}), dy = std::max({j + margin - y, y - (j + 1 - margin), 0.0});
             best = std::min(best, std::hypot(dx * grid.pitch_x(), dy * grid.pitch_y()));
         }
     return best;
@@ -27,21 +27,22 @@ double brute_distance(const TexelGrid& grid, const Image<std::uint8_t>& shape, d
 
 } // namespace
 
-TEST_CASE("the distance to pixel squares is that of brute force, at every odd size", "[oracle][shape]") {
+TEST_CASE("the distance to pixel squares and centres is that of brute force, at every odd size", "[oracle][shape]") {
     std::mt19937 random(5);
     const int sizes[][2] = {{1, 1}, {2, 1}, {1, 3}, {3, 3}, {5, 8}, {17, 13}};
     for (const auto& size : sizes)
         for (const Wrap wrap_x : {Wrap::repeat, Wrap::clamp})
             for (const Wrap wrap_y : {Wrap::repeat, Wrap::clamp})
-                for (const unsigned share : {0u, 8u, 128u, 250u, 256u}) {
+                for (const unsigned share : {0u, 8u, 128u, 250u, 256u})
+                  for (const ShapeModel model : {ShapeModel::squares, ShapeModel::centres}) {
                     const TexelGrid grid{size[0], size[1], wrap_x, wrap_y, 1.3};
                     const Image<std::uint8_t> squares = random_shape(grid, random(), share);
-                    const PixelShape shape(grid, squares);
+                    const PixelShape shape(grid, squares, model);
                     for (int k = 0; k < 20; ++k) {
                         const double u = uniform(random, -1.5, 2.5), v = uniform(random, -1.5, 2.5);
                         for (const bool inside : {false, true}) {
                             const NearestPoint nearest = shape.nearest(u, v, inside);
-                            const double truth = brute_distance(grid, squares, u, v, inside);
+                            const double truth = brute_distance(grid, squares, u, v, inside, model == ShapeModel::centres ? 0.5 : 0);
                             if (std::isinf(truth)) {
                                 CHECK(std::isinf(nearest.distance));
                                 continue;
@@ -49,7 +50,7 @@ TEST_CASE("the distance to pixel squares is that of brute force, at every odd si
                             CHECK(nearest.distance == Approx(truth).margin(1e-12));
                             CHECK(std::hypot(u - nearest.u, grid.aspect() * (v - nearest.v)) == Approx(truth).margin(1e-12));
                         }
-                        CHECK(shape.contains(u, v) == (shape.nearest(u, v, true).distance == 0));
+                        if (model == ShapeModel::squares) CHECK(shape.contains(u, v) == (shape.nearest(u, v, true).distance == 0));
                     }
                 }
 }

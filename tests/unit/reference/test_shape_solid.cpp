@@ -14,7 +14,7 @@ namespace {
 const TexelGrid square16{16, 16, Wrap::clamp, Wrap::clamp, 1};
 
 double hit(const PixelShape& shape, const ShapeSolid& solid, const SolidRay& ray) {
-    const auto t = first_solid_hit(shape, solid, ray, 0, domain_exit(solid, ray));
+    const auto t = first_solid_hit(shape, solid, ray, 0, domain_exit(shape.grid(), solid, ray));
     return t ? *t : INFINITY;
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("a strip beside the axis, revolved: cylinders and cones", "[oracle][so
         for (const double e : {0.0, 0.2})
             for (const double b : {0.0, 0.3}) {
                 double expected = cone_hit(ray, 0.25 + e, b);
-                if (!(expected <= domain_exit(revolution(), ray))) expected = INFINITY;
+                if (!(expected <= domain_exit(grid, revolution(), ray))) expected = INFINITY;
                 const double found = hit(shape, revolution(e, b), ray);
                 if (expected == INFINITY) CHECK(found == INFINITY);
                 else CHECK(found == Approx(expected).margin(1e-7));
@@ -123,7 +123,7 @@ TEST_CASE("hits agree with a dense march over random shapes", "[oracle][solid]")
         const SolidRay ray = {turned ? Point3{-0.7, uniform(random, -0.7, 0.7), uniform(random, 0, 1)} : Point3{uniform(random, 0, 1), uniform(random, 0, 1), 0},
                               turned ? Point3{1, uniform(random, -0.2, 0.2), uniform(random, -0.3, 0.3)}
                                      : Point3{uniform(random, -1, 1), uniform(random, -1, 1), 1}};
-        const double t_max = domain_exit(solid, ray);
+        const double t_max = domain_exit(grid, solid, ray);
         const int samples = 4000;
         double truth = INFINITY;
         for (int i = 0; i <= samples && truth == INFINITY; ++i)
