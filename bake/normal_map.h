@@ -1,6 +1,7 @@
 #pragma once
 // Tangent-space normals of the stored surface.
 
+#include "bake/depth_slopes.h"
 #include "bake/height_field.h"
 #include "bake/image.h"
 
@@ -13,8 +14,11 @@ struct NormalMap {
     Image<float> y;
 };
 
-/// Central differences of the stored depth, wrap-aware. `depth_scale`: depth of the relief in texture widths; it fixes
+/// Differences of the stored depth, wrap-aware. `depth_scale`, S: depth of the relief in texture widths; it fixes
 /// the slope (physical: depth / size). `threads`: 0: all the process may use; same bits for every number of them.
-NormalMap bake_normals(const DepthMap& depth, double depth_scale, int threads = 0);
+///
+///     n = (-S dH/du, S dH/dv / R, 1) / length,   H the height, v down the image, R = grid.aspect()
+NormalMap bake_normals(const DepthMap& depth, double depth_scale, int threads = 0,
+                       DerivativeKernel kernel = DerivativeKernel::central);
 
 } // namespace reliefbake
