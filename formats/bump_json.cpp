@@ -1,0 +1,111 @@
+#include "formats/bump_json.h"
+
+#include "formats/fact_reader.h"
+
+#include <array>
+
+namespace reliefbake {
+
+using nlohmann::json;
+
+namespace {
+
+// The words of the file format, in the order of the enumerators.
+constexpr std::array kind_words{"derivative", "normal", "horizon"};
+constexpr std::array layout_words{"rgba", "named", "side", "pair"};
+constexpr std::array codes_words{"centred", "unorm"};
+constexpr std::array kernel_words{"central", "sobel", "scharr"};
+constexpr std::array normal_y_words{"gl", "dx"};
+
+/// A fact that must be there.
+template <class T>
+T required(const std::optional<T>& fact, const char* key, BumpFacts& facts) {
+    if (!fact) facts.bad_keys.emplace_back(key);
+    return fact.value_or(T{});
+}
+
+json azimuths(const TexelGrid& grid) {
+    constexpr double half_turn = 3.14159265358979323846;
+    json degrees = json::array();
+    for (int k = 0; k < horizon_azimuths; ++k) degrees.push_back(horizon_angle(grid, k) * 180 / half_turn);
+    return degrees;
+}
+
+/// What only some kinds have.
+void write_kind(const BumpMapInfo& info, const TexelGrid& grid, json& facts) {
+    if (info.kind == BumpKind::horizon) facts["azimuths"] = azimuths(grid);
+    if (info.kind == BumpKind::horizon) return;
+    facts["codes"] = codes_words[std::size_t(info.codes)];
+    facts["kernel"] = kernel_words[std::size_t(info.kernel)];
+    if (info.kind == BumpKind::derivative) facts["derivative_scale"] = info.derivative_scale;
+    if (info.kind == BumpKind::normal) facts["normal_y"] = normal_y_words[std::size_t(info.normal_y)];
+}
+
+void read_kind(const FactReader& reader, BumpFacts& facts) {
+    BumpMapInfo& info = facts.info;
+    constexpr double largest = 1e9;
+    if (info.kind != BumpKind::derivative) info.depth_scale = required(reader.number("depth_scale", 1e-30, largest), "depth_scale", facts);
+    if (info.kind == BumpKind::horizon) return;
+    info.codes = required(reader.word<SignedCodes>("codes", codes_words), "codes", facts);
+    info.kernel = required(reader.word<DerivativeKernel>("kernel", kernel_words), "kernel", facts);
+    if (info.kind == BumpKind::derivative)
+        info.derivative_scale = required(reader.number("derivative_scale", 1e-30, largest), "derivative_scale", facts);
+    if (info.kind == BumpKind::normal) info.normal_y = required(reader.word<NormalY>("normal_y", normal_y_words), "normal_y", facts);
+}
+
+} // namespace
+
+const char* word_of(BumpKind kind) { return kind_words[std::size_t(kind)]; }
+
+std::optional<BumpKind> bump_kind_of(const std::string& word) { return FactReader::word_in<BumpKind>(word, kind_words); }
+
+json to_json(const BumpMapInfo& info, const TexelGrid& grid) {
+    json facts = {
+        {"kind", word_of(info.kind)},
+        {"version", info.version},
+        {"width", grid.width},
+        {"height", grid.height},
+        {"aspect", grid.aspect()},
+        {"pixel_aspect", grid.pixel_aspect},
+        {"wrap", wrap_to_json(grid)},
+        {"bits", bits_to_json(info.bits)},
+        {"layout", layout_words[std::size_t(info.layout)]},
+        {"channels", bump_images(info)[0].channels},
+        {"error", info.error},
+        {"source_hash", info.source_hash},
+        {"argument_hash", info.argument_hash},
+        {"statistics", numbers_to_json(info.statistics)},
+    };
+    if (info.kind != BumpKind::derivative) facts["depth_scale"] = info.depth_scale;
+    write_kind(info, grid, facts);
+    return facts;
+}
+
+BumpFacts bump_facts_from(const std::string& text) {
+    BumpFacts facts;
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) return facts;
+    const FactReader reader(object, facts.bad_keys);
+    facts.kind = reader.text("kind").value_or("");
+    const auto kind = bump_kind_of(facts.kind);
+    if (!kind) return facts;
+    BumpMapInfo& info = facts.info;
+    info.kind = *kind;
+    info.layout = required(reader.word<ChannelLayout>("layout", layout_words), "layout", facts);
+    if (info.layout == ChannelLayout::side || (info.layout == ChannelLayout::pair && *kind != BumpKind::horizon) ||
+        (info.layout == ChannelLayout::rgba && *kind == BumpKind::horizon))
+        reader.bad("layout");
+    info.error = required(reader.number("error", 0, 1e9), "error", facts);
+    read_kind(reader, facts);
+    info.version = reader.text("version").value_or("");
+    info.source_hash = reader.text("source_hash").value_or("");
+    info.argument_hash = reader.text("argument_hash").value_or("");
+    info.statistics = reader.numbers("statistics");
+    const auto wrap = required(reader.wrap("wrap"), "wrap", facts);
+    facts.wrap_x = wrap.first;
+    facts.wrap_y = wrap.second;
+    facts.pixel_aspect = required(reader.number("pixel_aspect", least_pixel_aspect, largest_pixel_aspect), "pixel_aspect", facts);
+    return facts;
+}
+
+} // namespace reliefbake

@@ -1,0 +1,90 @@
+#include "formats/bump_file.h"
+
+#include "formats/atomic_file.h"
+#include "formats/encode_image.h"
+#include "formats/map_file.h"
+#include "formats/map_format.h"
+#include "formats/map_pixels.h"
+
+#include <cassert>
+
+namespace reliefbake {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const azimuth_names[] = {"horizon.a0", "horizon.a1", "horizon.a2", "horizon.a3", "horizon.a4", "horizon.a5", "horizon.a6", "horizon.a7"};
+
+std::vector<std::string> named_channels(BumpKind kind) {
+    switch (kind) {
+    case BumpKind::derivative: return {"bump.du", "bump.dv", "relief.depth"};
+    case BumpKind::normal: return {"relief.nx", "relief.ny", "relief.nz", "relief.depth"};
+    case BumpKind::horizon: break;
+    }
+    std::vector<std::string> names(std::begin(azimuth_names), std::end(azimuth_names));
+    names.emplace_back("relief.depth");
+    return names;
+}
+
+std::vector<const Image<float>*> planes_of(const BumpMap& map, const BumpImage& image) {
+    std::vector<const Image<float>*> planes;
+    for (std::size_t c = 0; c < image.channels.size(); ++c) {
+        const std::size_t plane = std::size_t(image.first) + c;
+        planes.push_back(plane < map.planes.size() ? &map.planes[plane] : &map.depth);
+    }
+    return planes;
+}
+
+Result<void> write_image(const fs::path& path, MapFormat format, const BumpMap& map, const BumpImage& image, int threads) {
+    const BitDepth bits = map.info.bits, as = is_unorm(bits) ? bits : BitDepth::float32;
+    EncodeRequest request;
+    request.writer = writer_name(format);
+    request.width = map.grid.width;
+    request.height = map.grid.height;
+    request.channels = image.channels;
+    request.sample = sample_name(bits);
+    request.pixels = sample_name(as);
+    request.threads = threads;
+    request.attributes = metadata_attributes(format, to_json(map.info, map.grid), {"kind"});
+    Result<SharedMemory> file = [&]() -> Result<SharedMemory> {
+        const auto pixels = SharedMemory::create(pixel_bytes(request));
+        if (!pixels) return fail(ErrorCode::write_failed, path.string() + ": no memory to encode it in");
+        interleave(planes_of(map, image), as, pixels->bytes().data());
+        return encode_image(request, *pixels, path.string());
+    }();
+    if (!file) return tl::unexpected(file.error());
+    return write_file_atomically(path, file->bytes());
+}
+
+} // namespace
+
+std::vector<BumpImage> bump_images(const BumpMapInfo& info) {
+    if (info.layout == ChannelLayout::named) return {{"", named_channels(info.kind), 0}};
+    if (info.kind == BumpKind::derivative) return {{"", {"R", "G", "B"}, 0}};
+    const std::vector<std::string> rgba{"R", "G", "B", "A"};
+    if (info.kind == BumpKind::normal) return {{"", rgba, 0}};
+    return {{"", rgba, 0}, {"_b", rgba, 4}};
+}
+
+Result<void> check_bump_format(const fs::path& path, const BumpMapInfo& info) {
+    const Result<MapFormat> format = map_format_of(path);
+    if (format == MapFormat::dds || format == MapFormat::ktx2)
+        return fail(ErrorCode::usage, path.string() + ": bump maps are written as .png, .tif, .exr or .tga");
+    const bool two_files = info.layout == ChannelLayout::pair, horizons = info.kind == BumpKind::horizon;
+    if (info.layout == ChannelLayout::side || (info.layout != ChannelLayout::named && two_files != horizons))
+        return fail(ErrorCode::usage, path.string() + ": horizons have the layout pair or named; derivatives and normals have rgba or named");
+    return check_map_format(path, info.bits, info.layout);
+}
+
+Result<void> write_bump_map(const fs::path& path, const BumpMap& map, int threads) {
+    if (Result<void> checked = check_bump_format(path, map.info); !checked) return checked;
+    assert(int(map.planes.size()) == bump_planes(map.info.kind) && map.depth.empty() != holds_depth(map.info));
+    for (const BumpImage& image : bump_images(map.info)) {
+        const fs::path file = path.parent_path() / (path.stem().string() + image.suffix + path.extension().string());
+        if (Result<void> written = write_image(file, *map_format_of(path), map, image, threads); !written) return written;
+    }
+    return {};
+}
+
+} // namespace reliefbake
