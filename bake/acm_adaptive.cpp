@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace reliefbake {
 namespace {
@@ -29,32 +28,34 @@ Level level_above(const Level& below) {
     return level;
 }
 
-int sector_of(double x, double y, int sectors) {
-    const double turn = 6.283185307179586, angle = std::atan2(y, x);
-    return std::min(int((angle < 0 ? angle + turn : angle) / turn * sectors), sectors - 1);
-}
-
-/// Square rings, growing until no sector could be limited by a farther texel.
-Fan search_rings(const Level& level, const TexelGrid& grid, int x, int y, int sectors, float ratio_max) {
-    Fan best;
-    best.fill(ratio_max);
-    const float own = level.height(x, y), most_rise = level.highest - own;
+/// Narrows the cones of one quadrant: quarters of square rings, growing until no farther texel could limit them. A quadrant
+/// holds the directions from its first axis (a > 0) up to, not including, its second one (b).
+void search_quadrant(const Level& level, const TexelGrid& grid, int x, int y, int quadrant, int sectors, Fan& fan) {
     const int width = level.height.width(), height = level.height.height(), last = std::max(width, height);
-    const double pitch = std::min(level.pitch_x, level.pitch_y);
-    const auto test = [&](int dx, int dy) {
+    const int first = quadrant * sectors / 4, second = first + sectors / 4 - 1; // the same one of 4
+    const double pitch_a = quadrant % 2 ? level.pitch_y : level.pitch_x, pitch_b = quadrant % 2 ? level.pitch_x : level.pitch_y;
+    const float own = level.height(x, y), most_rise = level.highest - own;
+    const auto test = [&](int a, int b) {
+        const int dx = quadrant == 0 ? a : quadrant == 1 ? -b : quadrant == 2 ? -a : b;
+        const int dy = quadrant == 0 ? b : quadrant == 1 ? a : quadrant == 2 ? -b : -a;
         const float rise = level.height(TexelGrid::address(x + dx, width, grid.wrap_x), TexelGrid::address(y + dy, height, grid.wrap_y)) - own;
         if (rise <= 0) return;
-        const double px = dx * level.pitch_x, py = dy * level.pitch_y;
-        float& ratio = best[std::size_t(sector_of(px, py, sectors))];
-        ratio = std::min(ratio, float(std::hypot(px, py) / rise));
+        const double along_a = a * pitch_a, along_b = b * pitch_b;
+        float& ratio = fan[std::size_t(along_b < along_a ? first : second)];
+        ratio = std::min(ratio, float(std::sqrt(along_a * along_a + along_b * along_b) / rise));
     };
-    for (int r = 1; r < last; ++r) {
-        const float widest = *std::max_element(best.begin(), best.begin() + sectors);
-        if (r * pitch >= double(widest) * most_rise) break;
-        for (int d = -r; d <= r; ++d) test(d, -r), test(d, r);
-        for (int d = -r + 1; d < r; ++d) test(-r, d), test(r, d);
+    const double pitch = std::min(pitch_a, pitch_b);
+    for (int r = 1; r < last && r * pitch < double(std::max(fan[std::size_t(first)], fan[std::size_t(second)])) * most_rise; ++r) {
+        for (int b = 0; b <= r; ++b) test(r, b);
+        for (int a = 1; a < r; ++a) test(a, r);
     }
-    return best;
+}
+
+/// The ring search of all sectors. `start` bounds the cones from the beginning: the parent's, or the cap.
+Fan search_rings(const Level& level, const TexelGrid& grid, int x, int y, int sectors, const Fan& start) {
+    Fan fan = start;
+    for (int quadrant = 0; quadrant < 4; ++quadrant) search_quadrant(level, grid, x, y, quadrant, sectors, fan);
+    return fan;
 }
 
 } // namespace
@@ -68,6 +69,8 @@ std::vector<ConeMap> bake_sector_cones_adaptive(const DepthMap& depth, const Ada
     levels[0].highest = *std::max_element(levels[0].height.begin(), levels[0].height.end());
     while (int(levels.size()) <= adaptive.levels && levels.back().height.size() > 1) levels.push_back(level_above(levels.back()));
 
+    Fan widest;
+    widest.fill(options.ratio_max);
     for (std::size_t i = levels.size(); i-- > 0;) {
         Level& level = levels[i];
         const Level* parent = i + 1 < levels.size() ? &levels[i + 1] : nullptr;
@@ -75,10 +78,10 @@ std::vector<ConeMap> bake_sector_cones_adaptive(const DepthMap& depth, const Ada
         level.fans.resize(level.height.size());
         parallel_for(level.height.height(), options.threads, [&](int y) {
             for (int x = 0; x < width; ++x) {
-                Fan& fan = level.fans[std::size_t(y) * width + x];
-                const bool similar = parent && std::fabs(level.height(x, y) - parent->height(x / 2, y / 2)) <= adaptive.similarity;
-                fan = similar ? parent->fans[std::size_t(y / 2) * parent->height.width() + x / 2]
-                              : search_rings(level, grid, x, y, adaptive.sectors, options.ratio_max);
+                const std::size_t above = parent ? std::size_t(y / 2) * parent->height.width() + x / 2 : 0;
+                const bool similar = parent && std::fabs(level.height(x, y) - parent->height[above]) <= adaptive.similarity;
+                level.fans[std::size_t(y) * width + x] =
+                    similar ? parent->fans[above] : search_rings(level, grid, x, y, adaptive.sectors, parent ? parent->fans[above] : widest);
             }
         });
     }

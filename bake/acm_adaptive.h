@@ -13,9 +13,9 @@ struct AdaptiveOptions {
     double similarity = 0.05; ///< a texel this close to its parent in height copies the parent's cones (--similarity)
 };
 
-/// Texel cones per sector: on the coarsest level by expanding rings with early-out (002 sec. II-B, II-C), then downwards,
-/// copied where a texel is similar to its parent. No guarantee: a low texel beside a high one sees a slope that its parent
-/// does not (MATHS section 4, erratum). `options`: ratio_max and threads are read.
+/// Texel cones per sector: on the coarsest level by expanding rings with early-out (002 sec. II-B, II-C), then downwards, copied
+/// where a texel is similar to its parent, else searched from the parent's cones on. No guarantee: a low texel beside a high one
+/// sees a slope that its parent does not (MATHS section 4, erratum). `options`: ratio_max and threads are read.
 std::vector<ConeMap> bake_sector_cones_adaptive(const DepthMap& depth, const AdaptiveOptions& adaptive, const ConeOptions& options);
 
 } // namespace reliefbake
