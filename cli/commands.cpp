@@ -5,6 +5,7 @@
 #include "cli/bake_shape.h"
 #include "cli/bench_cone.h"
 #include "cli/bench_dynamic.h"
+#include "cli/bench_peer.h"
 #include "cli/explain.h"
 #include "cli/render.h"
 #include "cli/shader.h"
@@ -27,6 +28,7 @@ constexpr CommandEntry all_commands[] = {
     {"shape", "Bake a binary shape into a shape map (gradient, distance, shape)", make<ShapeCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
+    {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},

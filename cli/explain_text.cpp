@@ -111,7 +111,7 @@ std::string explain_text(const ReliefMap& map) {
     for (const auto& [name, value] : info.statistics)
         text += "  " + name + " = " + digits(value) + "\n";
     if (!info.source_hash.empty())
-        text += "Source pixels " + info.source_hash + ", options " + info.argument_hash + ".\n";
+        text += "Source pixels " + info.source_hash + (info.argument_hash.empty() ? "" : ", options " + info.argument_hash) + ".\n";
     return text;
 }
 

@@ -4,6 +4,9 @@
 #include "cli/number_options.h"
 #include "cli/render_choices.h"
 #include "formats/write_image.h"
+#include "shaders-reference/measure/compare.h"
+#include "shaders-reference/measure/heat_map.h"
+#include "shaders-reference/measure/stored_depth.h"
 
 #include <charconv>
 #include <filesystem>
@@ -74,6 +77,9 @@ void add_view_options(CLI::App& app, RenderOptions& picture) {
 void RenderCommand::add_to(CLI::App& app) {
     app.add_option("MAP", options_.file, "A baked map")->required();
     app.add_option("-o,--output", options_.output, "Picture to write, PNG")->required()->type_name("PNG");
+    app.add_option("--error", options_.error,
+                   "Also paint how far each ray ends from the exact hit, logarithmic: 1e-5 of the depth and less dark, all of it yellow; a pixel a ray")
+        ->type_name("PNG");
     add_view_options(app, options_.picture);
     app.option_defaults()->group("Technique");
     add_technique_options(app, options_.technique, options_.picture.max_steps);
@@ -87,19 +93,29 @@ void RenderCommand::add_to(CLI::App& app) {
     add_map_hints(app, options_.hints);
 }
 
-Result<void> RenderCommand::check_output() const {
+Result<void> RenderCommand::check_output(const std::filesystem::path& path) const {
     std::error_code ignored;
-    const std::filesystem::path path = options_.output;
     if (path.extension() != ".png" && path.extension() != ".PNG")
-        return fail(ErrorCode::usage, options_.output + ": pictures are written as .png");
+        return fail(ErrorCode::usage, path.string() + ": pictures are written as .png");
     for (const std::filesystem::path& input : {std::filesystem::path(options_.file), options_.hints.relief})
         if (std::filesystem::equivalent(input, path, ignored))
-            return fail(ErrorCode::usage, options_.output + ": the output is an input file; choose another name");
+            return fail(ErrorCode::usage, path.string() + ": the output is an input file; choose another name");
     return {};
 }
 
+Result<void> RenderCommand::write_error(const ReliefMap& map, const Rendering& rendering) const {
+    const Image<Quad> hits = oracle_hits(BilinearSurface(stored_depth(map)), rendering);
+    const RgbImage picture = error_picture(rendering, hits);
+    return write_png(options_.error, picture.width, picture.height, 3, picture.rgb);
+}
+
 Result<void> RenderCommand::run() {
-    if (Result<void> checked = check_output(); !checked) return checked;
+    if (Result<void> checked = check_output(options_.output); !checked) return checked;
+    if (!options_.error.empty()) {
+        if (Result<void> checked = check_output(options_.error); !checked) return checked;
+        if (std::filesystem::path(options_.error).lexically_normal() == std::filesystem::path(options_.output).lexically_normal())
+            return fail(ErrorCode::usage, "--error: names the same file as --output");
+    }
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
 
@@ -116,6 +132,8 @@ Result<void> RenderCommand::run() {
     picture.binary_steps = technique->binary_steps;
     const Result<Rendering> rendering = render(*map, picture, options_.backend);
     if (!rendering) return tl::unexpected(rendering.error());
+    if (!options_.error.empty())
+        if (Result<void> written = write_error(*map, *rendering); !written) return written;
     const RgbImage& colour = rendering->colour;
     return write_png(options_.output, colour.width, colour.height, 3, colour.rgb);
 }

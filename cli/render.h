@@ -6,6 +6,7 @@
 #include "formats/map_file.h"
 #include "shaders-reference/renderer/relief_renderer.h"
 
+#include <filesystem>
 #include <string>
 
 namespace reliefbake {
@@ -16,11 +17,13 @@ class RenderCommand : public Command {
     Result<void> run() override;
 
   private:
-    Result<void> check_output() const;
+    Result<void> check_output(const std::filesystem::path& path) const;
+    Result<void> write_error(const ReliefMap& map, const Rendering& rendering) const;
 
     struct Options {
         std::string file;
         std::string output;
+        std::string error; ///< picture of the distances from the exact hits; empty: none
         MapHints hints;
         RenderOptions picture;
         RendererBackend backend = RendererBackend::osmesa;

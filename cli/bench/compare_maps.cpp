@@ -41,13 +41,9 @@ Candidate ours(const std::string& method, const DepthMap& depth, ConeOptions opt
     return {method, metric, bake_cones(depth, options).ratio, ns};
 }
 
-Candidate theirs(const Peer& peer, const DepthMap& depth, float ratio_max) {
-    const double ns = time_peer(peer, depth, ratio_max, 0.2)["ns_per_texel"];
-    Candidate candidate{peer.name + " (" + peer.source + ")", Metric::l2, Image<float>(depth.grid.width, depth.grid.height), ns};
-    const TexelBaker bake = peer.prepare(depth, ratio_max);
-    for (int y = 0; y < depth.grid.height; ++y)
-        for (int x = 0; x < depth.grid.width; ++x) candidate.ratio(x, y) = bake(x, y);
-    return candidate;
+Candidate theirs(const Peer& peer, const DepthMap& depth, const ConeOptions& options) {
+    const double ns = time_peer(peer, depth, options.ratio_max, 0.2)["ns_per_texel"];
+    return {peer.name + " (" + peer.source + ")", Metric::l2, bake_peer(peer, depth, options.ratio_max, options.threads), ns};
 }
 
 std::vector<Candidate> candidates(const DepthMap& depth, const ConeOptions& options) {
@@ -58,8 +54,8 @@ std::vector<Candidate> candidates(const DepthMap& depth, const ConeOptions& opti
     const Candidate& texels = out.back();
     out.push_back({"3x3 minimum of texel cones", Metric::l2, minimum_3x3(texels.ratio, depth.grid), texels.ns_per_texel});
     if (std::max(depth.grid.width, depth.grid.height) > largest_side_for_peers) return out;
-    out.push_back(theirs(expanding_ring_peer(), depth, options.ratio_max));
-    out.push_back(theirs(quick_cone_map_peer(), depth, options.ratio_max));
+    out.push_back(theirs(expanding_ring_peer(), depth, options));
+    out.push_back(theirs(quick_cone_map_peer(), depth, options));
     return out;
 }
 

@@ -1,5 +1,7 @@
 #include "cli/bench/peers.h"
 
+#include "bake/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -109,24 +111,40 @@ float quick_cone(const Field& field, const std::vector<Image<float>>& mips, int 
     return std::sqrt(best);
 }
 
-/// Depth of the nearest texel.
-float depth_at(const Field& field, float u, float v) {
-    return 1 - field.at(int(std::floor(u * float(field.grid().width))), int(std::floor(v * float(field.grid().height))));
+/// A displacement in texels, by the shorter way round.
+int nearest_image(int d, int count, Wrap wrap) {
+    if (wrap == Wrap::clamp) return d;
+    return 2 * d > count ? d - count : 2 * d < -count ? d + count : d;
 }
 
-/// The ray from (0, 0, top) on the axis of texel (x, y) through the surface at (i, j), on to the floor: how far out and how deep
-/// it is when it has left the relief; the cone to that point, or ratio_max where it never leaves above the texel's own depth.
+/// The texel that holds a coordinate of 0..1, or lies at its place beyond the border.
+int texel_at(float coordinate, int count, Wrap wrap) {
+    const float place = coordinate * float(count);
+    const int i = int(place) - (float(int(place)) > place);
+    return i >= 0 && i < count ? i : TexelGrid::address(i, count, wrap);
+}
+
+/// Depth of the nearest texel.
+float depth_at(const Field& field, float u, float v) {
+    const TexelGrid& grid = field.grid();
+    return 1 - field.row(texel_at(v, grid.height, grid.wrap_y))[texel_at(u, grid.width, grid.wrap_x)];
+}
+
+/// The ray from the top of texel (x, y)'s axis through the surface at (i, j), on to the floor: how far out and how deep it is when
+/// it has left the relief; the cone to that point, or ratio_max where it never leaves above the texel's own depth. Maps that
+/// repeat: through the nearest image of (i, j); the original knows none.
 float sampled_exit(const Field& field, int x, int y, int i, int j, float ratio_max) {
     constexpr int steps = 128;
     const TexelGrid& grid = field.grid();
-    const float u = float(TexelGrid::centre(x, grid.width)), v = float(TexelGrid::centre(y, grid.height));
     const float target = 1 - field.at(i, j), own = 1 - field.at(x, y);
     if (target <= 0) return ratio_max; // the ray would be level
-    const float du = (float(TexelGrid::centre(i, grid.width)) - u) / target, dv = (float(TexelGrid::centre(j, grid.height)) - v) / target;
+    const float u = float(TexelGrid::centre(x, grid.width)), v = float(TexelGrid::centre(y, grid.height));
+    const float du = float(nearest_image(i - x, grid.width, grid.wrap_x)) / float(grid.width) / target;
+    const float dv = float(nearest_image(j - y, grid.height, grid.wrap_y)) / float(grid.height) / target;
     const float step = (1 - target) / steps;
     float t = target + step;
-    for (int k = 1; k < steps; ++k)
-        if (depth_at(field, u + t * du, v + t * dv) <= t) t += step; // still inside
+    // Outside the relief the original only counts on; below the texel's depth it answers ratio_max.
+    for (int k = 1; k < steps && t < own && depth_at(field, u + t * du, v + t * dv) <= t; ++k) t += step;
     if (t >= own) return ratio_max;
     return std::hypot(t * du, t * dv * float(grid.aspect())) / (own - t);
 }
@@ -134,7 +152,7 @@ float sampled_exit(const Field& field, int x, int y, int i, int j, float ratio_m
 } // namespace
 
 Peer sampled_relaxed_peer() {
-    return {"sampled relaxed cones", "GPU Gems 3, chapter 18", [](const DepthMap& depth, float ratio_max) -> TexelBaker {
+    return {"sampled-relaxed", "sampled relaxed cones", "GPU Gems 3, chapter 18", ConeFamily::relaxed, [](const DepthMap& depth, float ratio_max) -> TexelBaker {
                 return [field = std::make_shared<Field>(depth), ratio_max](int x, int y) {
                     float ratio = ratio_max;
                     for (int j = 0; j < field->grid().height; ++j)
@@ -146,7 +164,7 @@ Peer sampled_relaxed_peer() {
 }
 
 Peer brute_force_peer() {
-    return {"brute force", "Dummer 2006", [](const DepthMap& depth, float ratio_max) -> TexelBaker {
+    return {"brute-force", "brute force", "Dummer 2006", ConeFamily::conservative, [](const DepthMap& depth, float ratio_max) -> TexelBaker {
                 return [field = std::make_shared<Field>(depth), ratio_max](int x, int y) {
                     return brute_force(*field, x, y, ratio_max);
                 };
@@ -154,7 +172,7 @@ Peer brute_force_peer() {
 }
 
 Peer expanding_ring_peer() {
-    return {"expanding ring", "002 sec. II-B", [](const DepthMap& depth, float ratio_max) -> TexelBaker {
+    return {"expanding-ring", "expanding ring", "002 sec. II-B", ConeFamily::conservative, [](const DepthMap& depth, float ratio_max) -> TexelBaker {
                 return [field = std::make_shared<Field>(depth), ratio_max](int x, int y) {
                     return expanding_ring(*field, x, y, ratio_max);
                 };
@@ -162,12 +180,26 @@ Peer expanding_ring_peer() {
 }
 
 Peer quick_cone_map_peer() {
-    return {"quick cone map", "Valasek & Ban 2022", [](const DepthMap& depth, float ratio_max) -> TexelBaker {
+    return {"quick-cone-map", "quick cone map", "Valasek & Ban 2022", ConeFamily::conservative, [](const DepthMap& depth, float ratio_max) -> TexelBaker {
                 const auto field = std::make_shared<Field>(depth);
                 return [field, mips = max_mips(*field), ratio_max](int x, int y) {
                     return quick_cone(*field, mips, x, y, ratio_max);
                 };
             }};
+}
+
+const std::vector<Peer>& all_peers() {
+    static const std::vector<Peer> peers = {brute_force_peer(), expanding_ring_peer(), quick_cone_map_peer(), sampled_relaxed_peer()};
+    return peers;
+}
+
+Image<float> bake_peer(const Peer& peer, const DepthMap& depth, float ratio_max, int threads) {
+    Image<float> ratio(depth.grid.width, depth.grid.height);
+    const TexelBaker bake = peer.prepare(depth, ratio_max);
+    parallel_for(depth.grid.height, threads, [&](int y) {
+        for (int x = 0; x < depth.grid.width; ++x) ratio(x, y) = bake(x, y);
+    });
+    return ratio;
 }
 
 } // namespace reliefbake

@@ -76,6 +76,46 @@ TEST_CASE("8-bit filter weights: a one-texel wall is safe in every encoding") {
     }
 }
 
+TEST_CASE("render paints the error of a short march, and writes neither picture over a file it reads") {
+    require_bake("cone " + height_map("gz_dem_squared_129.tif") + " -o error_map.exr");
+    const std::string view = "render error_map.exr --size 48x32 --view 80 -o shaded.png --error ";
+    const auto error_of = [&](const std::string& steps) {
+        REQUIRE(run_tool(view + "error.png --steps " + steps).status == 0);
+        return bytes_of(work_folder() / "error.png");
+    };
+    CHECK(error_of("500").size() < error_of("2").size()); // evenly dark
+    CHECK(run_tool(view + "error.jpg").status == 2);
+    CHECK(run_tool(view + "error_map.exr").status == 2);
+    CHECK(run_tool(view + "./shaded.png").status == 2);
+}
+
+TEST_CASE("bench peer writes another method's map of the same surface, and verify finds what it misses") {
+    require_bake("cone " + height_map("pom_rocks_NM_height.tga") + " --channel A --mips -o ours.exr");
+    const auto peer = [](const std::string& method) {
+        const Outcome outcome = run_tool("bench peer " + method + " ours.exr --level 3 --threads 1 -o " + method + ".exr --json");
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        CHECK(json::parse(outcome.out)["method"] == method);
+        return verified(method + ".exr", " --rays 13000 --points 500 --crop 0");
+    };
+    CHECK(verified("ours.exr --level 3")["verdict"] == "safe");
+    for (const char* method : {"brute-force", "expanding-ring", "quick-cone-map", "sampled-relaxed"}) {
+        CAPTURE(method);
+        const json report = peer(method);
+        CHECK(report["missed"] > 0);
+        CHECK(report["violations"] > 0);
+    }
+    // Brute force and the ring search find the same texel cones, to rounding.
+    CHECK(verified("brute-force.exr")["steps_mean"] == Approx(double(verified("expanding-ring.exr")["steps_mean"])).epsilon(1e-3));
+    const json facts = json::parse(run_tool("explain sampled-relaxed.exr --json").out);
+    CHECK(facts["family"] == "relaxed");
+    CHECK(facts["relaxed"] == "top");
+    CHECK(facts["guarantee"] == "");
+    CHECK(run_tool("bench peer sampled-relaxed ours.exr -o ours.exr").status == 2);
+    CHECK(run_tool("bench peer sampled-relaxed ours.exr -o peer.jpg").status == 2);
+    CHECK(run_tool("bench peer sampled ours.exr -o peer.exr").status == 2);
+}
+
 TEST_CASE("bench takes every instruction set it lists") {
     CHECK(run_tool("bench cone --field ramp --size 64 --simd scalar --repeat 1").status == 0);
     CHECK(run_tool("bench cone --field ramp --size 64 --simd automatic --repeat 1").status == 0);
