@@ -1,5 +1,6 @@
 #include "cli/command.h"
 
+#include "cli/bake_bump.h"
 #include "cli/bake_cone.h"
 #include "cli/bake_families.h"
 #include "cli/bake_shape.h"
@@ -26,6 +27,7 @@ constexpr CommandEntry all_commands[] = {
     {"cone-normal", "Bake a cone normal map: no cap, the code is also a distance", make<ConeNormalCommand>},
     {"cone-stack", "Bake cones stacked above each texel", make<ConeStackCommand>},
     {"shape", "Bake a binary shape into a shape map (gradient, distance, shape)", make<ShapeCommand>},
+    {"bump", "Bake a height map into derivatives, normals or horizons, for shading", make<BumpCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
     {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},

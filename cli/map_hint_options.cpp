@@ -46,4 +46,11 @@ void add_map_hints(CLI::App& app, MapHints& hints) {
     add_byte_budget(app, hints.max_bytes);
 }
 
+Result<void> refuse_hints(const MapHints& h, const std::string& file, const std::string& kind) {
+    const bool given = h.metric || h.encoding || h.surface || h.normal_y || h.wrap_x || h.wrap_y || h.cone_max || h.depth_scale ||
+                       !h.channel_order.empty() || h.alpha_is_height || !h.relief.empty() || h.level > 0;
+    if (!given) return {};
+    return fail(ErrorCode::usage, file + ": is a map of kind " + kind + " and says itself what it means; leave out the options that would tell");
+}
+
 } // namespace reliefbake

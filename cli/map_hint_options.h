@@ -13,4 +13,7 @@ namespace reliefbake {
 /// --alpha-is-height --relief --level --max-bytes; those given win over the file's metadata.
 void add_map_hints(CLI::App& app, MapHints& hints);
 
+/// Refuses (usage) hints, but the byte budget, for a file of a kind that always says what it means.
+Result<void> refuse_hints(const MapHints& hints, const std::string& file, const std::string& kind);
+
 } // namespace reliefbake
