@@ -42,51 +42,38 @@ float fill_half_texels(const Block& block, HalfTexels& points) {
     return exact ? 0.0f : largest * 0x1p-22f;
 }
 
-HalfTexels empty_points(const Block& block, bool with_half_texels) {
-    HalfTexels points;
-    points.plane_size = std::size_t(block.y1 - block.y0 + 2 * Block::halo) * block.stride;
-    points.storage.resize((with_half_texels ? 4 : 1) * points.plane_size);
-    return points;
+HalfTexels make_points(const Block& block, bool with_half_texels) {
+    const std::size_t plane_size = std::size_t(block.y1 - block.y0 + 2 * Block::halo) * block.stride;
+    return {plane_size, std::make_unique_for_overwrite<float[]>((with_half_texels ? 4 : 1) * plane_size)};
 }
 
-/// Smallest distance of the cells that touch each point; a point of phase (sx, sy) touches the cells up to one back where its
-/// s is 0.
-void spread_falls(const Block& block, int phase, const std::vector<float>& fall, float* out) {
-    const int back_x = phase & 1 ? 0 : 1, back_y = phase >> 1 ? 0 : 1;
-    const std::size_t first = std::size_t(block.stride) + 1, end = fall.size();
-    std::fill(out, out + first, std::numeric_limits<float>::infinity());
-    for (std::size_t at = first; at < end; ++at)
-        out[at] = std::min(std::min(fall[at], fall[at - back_x]),
-                           std::min(fall[at - std::size_t(back_y) * block.stride], fall[at - std::size_t(back_y) * block.stride - back_x]));
-}
-
+/// Masks the points of each phase; one of phase (sx, sy) touches the cells up to one back where its s is 0.
 void mask(const SearchSurface& surface, Block& block, float lowest, bool with_half_texels) {
-    const int rows = block.y1 - block.y0 + 2 * Block::halo;
+    const ExitKernels kernels = exit_kernels();
+    const int rows = block.y1 - block.y0 + 2 * Block::halo, stride = block.stride;
     block.fall.assign(block.height.plane_size, std::numeric_limits<float>::infinity());
     for (int r = 0; r + 1 < rows; ++r) {
-        const float* h0 = block.height.plane(0) + std::size_t(r) * block.stride;
-        exit_falls(surface, h0, h0 + block.stride, block.stride - 1, block.fall.data() + std::size_t(r) * block.stride);
+        const float* h0 = block.height.plane(0) + std::size_t(r) * stride;
+        exit_falls(surface, kernels, h0, h0 + stride, stride - 1, block.fall.data() + std::size_t(r) * stride);
     }
-    block.masked = empty_points(block, with_half_texels);
-    block.masked_from = empty_points(block, with_half_texels);
+    block.masked = make_points(block, with_half_texels);
+    if (surface.exits->from_top) block.masked_from = make_points(block, with_half_texels);
+    const std::ptrdiff_t first = stride + 1, count = std::ptrdiff_t(block.fall.size()) - first; // the halo's first row serves no one
     for (int phase = 0; phase < (with_half_texels ? 4 : 1); ++phase) {
-        float* from = block.masked_from.plane(phase);
-        spread_falls(block, phase, block.fall, from);
-        const float* height = block.height.plane(phase);
-        float* out = block.masked.plane(phase);
-        for (std::size_t at = 0; at < block.height.plane_size; ++at) out[at] = std::isinf(from[at]) ? lowest : height[at];
+        const CellPoints points{block.fall.data() + first, block.height.plane(phase) + first, phase & 1 ? 0 : 1, phase >> 1 ? 0 : stride, lowest};
+        float* from = block.masked_from.empty() ? nullptr : block.masked_from.plane(phase) + first;
+        kernels.mask_points(points, count, block.masked.plane(phase) + first, from);
     }
-    if (!surface.exits->from_top) block.masked_from = {};
 }
 
 } // namespace
 
 Block make_block(const SearchSurface& surface, int x0, int width, int y0, int y1, float lowest, bool with_half_texels) {
     Block block{x0, width, y0, y1, width + 2 * Block::pad, {}, {}, {}, {}, {}, 0};
-    block.height = empty_points(block, with_half_texels);
+    block.height = make_points(block, with_half_texels);
     copy_texels(block, surface.grid, surface.height, block.height);
     if (!surface.apex.empty()) {
-        block.raised = empty_points(block, with_half_texels);
+        block.raised = make_points(block, with_half_texels);
         copy_texels(block, surface.grid, surface.apex, block.raised);
     }
     if (with_half_texels) {

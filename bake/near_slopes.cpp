@@ -90,7 +90,7 @@ struct Pass {
 void compare_row(const Pass& pass, int y, int phase, const Rings& rings, float least, float slack, float* out) {
     const Block& block = pass.block;
     const std::ptrdiff_t row = block.at(y) - 1;
-    const bool late = !block.masked_from.storage.empty();
+    const bool late = !block.masked_from.empty();
     pass.kernels.ring_slopes({block.apex().plane(phase) + row, block.target().plane(phase) + row,
                               late ? block.masked_from.plane(phase) + row : nullptr, least, slack},
                              rings, block.width + 2, out - 1);
