@@ -57,47 +57,23 @@ class TileSearch {
   private:
     void load(int tile_x, int tile_y, const Image<float>& needs) {
         const int x0 = tile_x * tile_size, y0 = tile_y * tile_size;
-        const int w = surface_.grid.width, h = surface_.grid.height;
-        tile_.lowest = std::numeric_limits<float>::infinity();
+        const int width = std::min(tile_size, surface_.grid.width - x0), height = std::min(tile_size, surface_.grid.height - y0);
         for (int j = 0; j < tile_size; ++j) {
+            // Lanes beyond the map repeat its last texel and never need anything.
+            const int y = y0 + std::min(j, height - 1);
+            float* own = tile_.height + j * tile_size;
+            float* need = tile_.need + j * tile_size;
+            std::copy_n(surface_.apexes().row(y) + x0, width, own);
+            std::fill(own + width, own + tile_size, own[width - 1]);
+            std::copy_n(needs.row(y) + x0, width, need);
+            std::fill(need + (j < height ? width : 0), need + tile_size, std::numeric_limits<float>::max());
             tile_.x[j] = float(x0 + j), tile_.y[j] = float(y0 + j);
-            for (int i = 0; i < tile_size; ++i) {
-                // Lanes beyond the map repeat its last texel and never need anything.
-                const int x = std::min(x0 + i, w - 1), y = std::min(y0 + j, h - 1), at = j * tile_size + i;
-                const bool inside = x0 + i < w && y0 + j < h;
-                tile_.height[at] = surface_.apexes()(x, y);
-                tile_.need[at] = inside ? needs(x, y) : std::numeric_limits<float>::max();
-                tile_.found[at] = 0;
-                tile_.lowest = std::min(tile_.lowest, tile_.height[at]);
-            }
         }
-        for (int k = 0; k < tile_strips * tile_size; ++k) {
-            const float* column = tile_.height + k / tile_size * strip_rows * tile_size + k % tile_size;
-            tile_.strip_lowest[k] = std::min({column[0], column[tile_size], column[2 * tile_size], column[3 * tile_size]});
-        }
-        const int x1 = std::min(x0 + tile_size, w) - 1, y1 = std::min(y0 + tile_size, h) - 1;
-        tile_.centre_x = 0.5f * float(x0 + x1), tile_.half_x = 0.5f * float(x1 - x0);
-        tile_.centre_y = 0.5f * float(y0 + y1), tile_.half_y = 0.5f * float(y1 - y0);
-        lay_floor();
+        std::fill(std::begin(tile_.found), std::end(tile_.found), 0.0f);
+        tile_.centre_x = float(x0) + 0.5f * float(width - 1), tile_.half_x = 0.5f * float(width - 1);
+        tile_.centre_y = float(y0) + 0.5f * float(height - 1), tile_.half_y = 0.5f * float(height - 1);
+        kernels_.lay_floor(tile_);
         refresh_threshold();
-    }
-
-    /// A plane under the tile's texels. Any slopes are right; good ones are those between the means of its halves.
-    void lay_floor() {
-        float left = 0, right = 0, top = 0, bottom = 0, largest = 0;
-        for (int at = 0; at < tile_texels; ++at) {
-            (at % tile_size < tile_size / 2 ? left : right) += tile_.height[at];
-            (at < tile_texels / 2 ? top : bottom) += tile_.height[at];
-            largest = std::max(largest, std::fabs(tile_.height[at]));
-        }
-        constexpr float between_halves = 0.5f * tile_size * (0.5f * tile_texels);
-        tile_.gx = (right - left) / between_halves, tile_.gy = (bottom - top) / between_halves;
-        tile_.floor = std::numeric_limits<float>::infinity();
-        for (int at = 0; at < tile_texels; ++at) {
-            const float dx = tile_.x[at % tile_size] - tile_.centre_x, dy = tile_.y[at / tile_size] - tile_.centre_y;
-            tile_.floor = std::min(tile_.floor, tile_.height[at] - (tile_.gx * dx + tile_.gy * dy));
-        }
-        tile_.floor -= 2 * plane_slack * largest; // with the plane's own rise, up to three times as high
     }
 
     void refresh_threshold() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bake/tile_kernels.cpp"
@@ -358,6 +359,43 @@ float SummariseNeeds(Tile& tile) {
     return hn::GetLane(hn::MinOfLanes(d, least));
 }
 
+/// Sets the lowest heights and a plane under the tile's texels. Any slopes are right; good ones are those between the means of
+/// its halves.
+void LayFloor(Tile& tile) {
+    const D d;
+    constexpr float between_halves = 0.5f * tile_size * (0.5f * tile_texels);
+    alignas(32) float columns[2][tile_size]; // sums down each column, of the upper and the lower strip
+    V low = hn::Load(d, tile.height), high = low;
+    for (int strip = 0; strip < tile_strips; ++strip)
+        for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
+            const float* rows = tile.height + strip * strip_rows * tile_size + i;
+            V sum = hn::Zero(d), strip_low = hn::Load(d, rows);
+            for (int j = 0; j < strip_rows; ++j) {
+                const V h = hn::Load(d, rows + j * tile_size);
+                sum = hn::Add(sum, h), strip_low = hn::Min(strip_low, h), high = hn::Max(high, h);
+            }
+            hn::Store(strip_low, d, tile.strip_lowest + strip * tile_size + i);
+            hn::Store(sum, d, columns[strip] + i);
+            low = hn::Min(low, strip_low);
+        }
+    tile.lowest = hn::GetLane(hn::MinOfLanes(d, low));
+    const float largest = std::max(std::fabs(tile.lowest), std::fabs(hn::GetLane(hn::MaxOfLanes(d, high))));
+    float halves_x[2] = {}, halves_y[2] = {};
+    for (int i = 0; i < tile_size; ++i)
+        for (int strip = 0; strip < tile_strips; ++strip) halves_x[2 * i / tile_size] += columns[strip][i], halves_y[strip] += columns[strip][i];
+    tile.gx = (halves_x[1] - halves_x[0]) / between_halves, tile.gy = (halves_y[1] - halves_y[0]) / between_halves;
+    V floor = hn::Set(d, std::numeric_limits<float>::infinity());
+    for (int i = 0; i < tile_size; i += int(hn::Lanes(d))) {
+        const V along = hn::Mul(hn::Set(d, tile.gx), hn::Sub(hn::Load(d, tile.x + i), hn::Set(d, tile.centre_x)));
+        for (int j = 0; j < tile_size; ++j) {
+            const V plane = hn::Add(along, hn::Set(d, tile.gy * (tile.y[j] - tile.centre_y)));
+            floor = hn::Min(floor, hn::Sub(hn::Load(d, tile.height + j * tile_size + i), plane));
+        }
+    }
+    // With the plane's own rise, rounding is up to three times as high.
+    tile.floor = hn::GetLane(hn::MinOfLanes(d, floor)) - 2 * plane_slack * largest;
+}
+
 // Highway exports functions, not templates: three for each metric and mode.
 #define RELIEFBAKE_TILE_KERNELS(Kind, kL1, kMode)                                                                                 \
     std::uint32_t QuadNeeds##Kind(const SearchSpace& s, const Tile& t, const PyramidQuad& q, const QuadPlace& p, float need,      \
@@ -395,6 +433,7 @@ RELIEFBAKE_EXPORT(L2Wedge);
 RELIEFBAKE_EXPORT(L1);
 RELIEFBAKE_EXPORT(L1Quadrant);
 #undef RELIEFBAKE_EXPORT
+HWY_EXPORT(LayFloor);
 HWY_EXPORT(SummariseNeeds);
 HWY_EXPORT(LeafCandidates);
 
@@ -402,6 +441,7 @@ TileKernels tile_kernels(const SearchSpace& space) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets()); // so that the addresses are final
     TileKernels kernels{};
     kernels.leaf_candidates = &HWY_DYNAMIC_DISPATCH(LeafCandidates);
+    kernels.lay_floor = &HWY_DYNAMIC_DISPATCH(LayFloor);
     kernels.summarise_needs = &HWY_DYNAMIC_DISPATCH(SummariseNeeds);
 #define RELIEFBAKE_CHOOSE(Kind)                                      \
     kernels.quad_needs = &HWY_DYNAMIC_DISPATCH(QuadNeeds##Kind);     \

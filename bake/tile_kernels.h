@@ -78,6 +78,8 @@ struct TileKernels {
     bool (*compare_texel)(const SearchSpace&, Tile&, const Opponent&);
     /// Texels of a leaf that may exceed the tile's least need, as bits, row by row; `threshold` is that need squared.
     std::uint32_t (*leaf_candidates)(const SearchSpace&, const Tile&, const LeafTexels&, float threshold);
+    /// Sets `lowest`, the strips' lowest, and the plane under the tile's texels from their heights.
+    void (*lay_floor)(Tile&);
     /// Refreshes the strips' needs; returns the least of all.
     float (*summarise_needs)(Tile&);
 };
