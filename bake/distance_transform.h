@@ -1,7 +1,7 @@
 #pragma once
 // Exact Euclidean distances from texel centres to a set of texels.
-// Column distances, then the lower envelope of each row: Meijster, Roerdink, Hesselink, "A general algorithm for computing distance
-// transforms in linear time" (2000).
+// Column distances, then the lower envelope of each row, as Meijster, Roerdink, Hesselink, "A general algorithm for computing distance
+// transforms in linear time" (2000), have it; the envelope is found by halving spans (distance_kernels), which vectors can do.
 
 #include "bake/image.h"
 
@@ -23,7 +23,9 @@ struct DistanceOptions {
 };
 
 /// Distances in texels, each the exact one correctly rounded to float; inf everywhere when the set is empty.
-/// `picture` holds 0 and 1; sides up to 65536.
+/// `picture` holds 0 and 1; sides up to 65536. `out` has its size. Memory beside them: a 16th to a 4th of the picture's texels, in
+/// bytes, and 0.4 MB a thread for 8192 columns.
+void distance_transform(const Image<std::uint8_t>& picture, const DistanceOptions& options, Image<float>& out);
 Image<float> distance_transform(const Image<std::uint8_t>& picture, const DistanceOptions& options = {});
 
 } // namespace reliefbake
