@@ -107,7 +107,9 @@ class Envelope {
 
   private:
     using D = hn::ScalableTag<T>;
-    static constexpr int kBlock = 16; ///< texels of the shortest span
+    static constexpr int kBlock = 16;  ///< texels of the shortest span
+    static constexpr int kShort = 1024; ///< columns times candidates that are tried at once
+    static constexpr int kFew = 64;    ///< candidates that need no narrowing
     static constexpr int kLanes = HWY_LANES(T) < kBlock ? int(HWY_LANES(T)) : kBlock;
     static constexpr int kVectors = kBlock / kLanes;
 
@@ -118,31 +120,30 @@ class Envelope {
 
     T Value(int x, int a) const { return row_.column[a] + row_.squares[x - a]; }
 
-    /// The best candidate in [from, to] for column x; one of them is the best of all.
+    /// The best candidate in [from, to] for column x; one of them is the best of all. What lies beyond `to` are other candidates, or
+    /// infinite ones: looking at them is harmless.
     int Best(int x, int from, int to) const {
-        if (from == to || row_.column[x] == 0) return row_.column[x] == 0 ? x : from;
-        // A candidate farther away than the root of a value cannot undercut it.
-        const T bound = std::min(row_.column[x], std::min(Value(x, from), Value(x, to)));
-        const int reach = int(std::min(double(row_.count), row_.reach * std::sqrt(double(bound)) + 2));
-        from = std::max(from, x - reach), to = std::min(to, x + reach);
+        if (row_.column[x] == 0) return x;
+        if (to - from >= kFew) Narrow(x, from, to);
         const D d;
-        using I = hn::RebindToSigned<D>;
-        const I di;
         const int lanes = int(hn::Lanes(d));
-        auto best = hn::Set(d, row_.column[from] + row_.squares[x - from]);
-        auto best_at = hn::Set(di, hn::TFromD<I>(from)), at = hn::Iota(di, hn::TFromD<I>(from));
-        const auto step = hn::Set(di, hn::TFromD<I>(lanes));
-        for (int a = from; a <= to; a += lanes) { // beyond `to` lie other true candidates, or infinite ones
-            const auto value = hn::Add(hn::LoadU(d, row_.column + a), hn::LoadU(d, row_.squares + (a - x)));
-            const auto better = hn::Lt(value, best);
-            best = hn::Min(value, best);
-            best_at = hn::IfThenElse(hn::RebindMask(di, better), at, best_at);
-            at = hn::Add(at, step);
+        const T *column = row_.column + from, *squares = row_.squares + (from - x);
+        const auto value = [&](int k) { return hn::Add(hn::LoadU(d, column + k), hn::LoadU(d, squares + k)); };
+        const int count = to - from + 1;
+        auto best = value(0);
+        for (int k = lanes; k < count; k += lanes) best = hn::Min(best, value(k));
+        best = hn::MinOfLanes(d, best);
+        for (int k = 0;; k += lanes) {
+            const auto at = hn::FindFirstTrue(d, hn::Eq(value(k), best));
+            if (at >= 0) return from + k + int(at);
         }
-        const auto least = hn::MinOfLanes(d, best);
-        HWY_ALIGN hn::TFromD<I> places[HWY_LANES(T)];
-        hn::Store(best_at, di, places);
-        return int(places[hn::FindFirstTrue(d, hn::Eq(best, least))]);
+    }
+
+    /// A candidate farther away than the root of a value cannot undercut it.
+    void Narrow(int x, int& from, int& to) const {
+        const T bound = std::min(row_.column[x], std::min(Value(x, from), Value(x, to)));
+        const int reach = int(std::min(float(row_.count), row_.reach * std::sqrt(float(bound)) + 2));
+        from = std::max(from, x - reach), to = std::min(to, x + reach);
     }
 
     void SolveSpan(const Span& whole) {
@@ -162,7 +163,11 @@ class Envelope {
         }
     }
 
-    static bool IsShort(const Span& span) { return span.to <= span.from || span.right - span.left < kBlock; }
+    /// Trying all candidates in all columns is cheaper than another search.
+    static bool IsShort(const Span& span) {
+        const int columns = span.right - span.left, candidates = span.to - span.from + 1;
+        return columns <= kBlock || columns * candidates <= kShort;
+    }
 
     /// Left to right, so that what is written beyond the right end is written again.
     void Fill(const Span& span) {

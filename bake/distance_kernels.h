@@ -27,7 +27,7 @@ struct EnvelopeRow {
     int count;
     int first, last;   ///< columns wanted
     const T* squares;  ///< squares[d]: square of the distance d along the row, |d| < count + envelope_padding
-    double reach;      ///< no candidate farther than sqrt(value) * reach + 2 has a square below value
+    float reach;       ///< no candidate farther than sqrt(value) * reach + 2 has a square below value
 };
 
 constexpr int envelope_padding = 64;

@@ -89,7 +89,7 @@ Bands split(const Image<std::uint8_t>& picture, const DistanceOptions& options, 
 template <class T>
 struct RowShape {
     int width, margin; ///< candidates on either side of the row, of the copies beside it
-    double reach;
+    float reach;
     std::vector<T> squares; ///< squares[d + middle()]
 
     int count() const { return width + 2 * margin; }
@@ -114,7 +114,7 @@ bool fits_32_bits(const Image<std::uint8_t>& picture, const DistanceOptions& opt
 
 template <class T>
 RowShape<T> make_row_shape(int width, const DistanceOptions& options) {
-    RowShape<T> shape{width, margin_of(width, options.wrap_x), options.to == DistanceTo::centres ? 1.0 : 0.5, {}};
+    RowShape<T> shape{width, margin_of(width, options.wrap_x), options.to == DistanceTo::centres ? 1.0f : 0.5f, {}};
     shape.squares.resize(std::size_t(2 * shape.middle() + 1));
     for (int d = -shape.middle(); d <= shape.middle(); ++d) {
         // Farther than width + margin only what is infinite is looked up: any value will do that does not overflow.
