@@ -3,6 +3,7 @@
 #include "cli/map_hint_options.h"
 #include "cli/number_options.h"
 #include "cli/render_choices.h"
+#include "formats/bump_file.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/compare.h"
 #include "shaders-reference/measure/heat_map.h"
@@ -47,7 +48,7 @@ void add_shadow(CLI::App& app, Shadow& shadow) {
             }
         throw CLI::ValidationError("--shadow", "expected " + alternatives(shadow_words) + ", found '" + given + "'");
     };
-    app.add_option_function<std::string>("--shadow", assign, "March to the sun too (alone: height-soft)")
+    app.add_option_function<std::string>("--shadow", assign, "March to the sun too, or ask a horizon map (alone: height-soft)")
         ->expected(0, 1)
         ->type_name(alternatives(shadow_words));
 }
@@ -85,6 +86,8 @@ void RenderCommand::add_to(CLI::App& app) {
     add_technique_options(app, options_.technique, options_.picture.max_steps);
     app.option_defaults()->group("Light");
     add_shadow(app, options_.picture.shadow);
+    app.add_option("--horizon", options_.horizons, "Horizon map of the same heights (reliefbake bump --kind horizon), for --shadow horizon")
+        ->type_name("FILE");
     add_choice(app, "--ao", options_.picture.ambient, ambient_words,
                "Sky seen through the cones (default cone-normal; none where cones may hold relief)");
     app.option_defaults()->group("Driver");
@@ -97,10 +100,22 @@ Result<void> RenderCommand::check_output(const std::filesystem::path& path) cons
     std::error_code ignored;
     if (path.extension() != ".png" && path.extension() != ".PNG")
         return fail(ErrorCode::usage, path.string() + ": pictures are written as .png");
-    for (const std::filesystem::path& input : {std::filesystem::path(options_.file), options_.hints.relief})
+    for (const std::filesystem::path& input : {std::filesystem::path(options_.file), options_.hints.relief, std::filesystem::path(options_.horizons)})
         if (std::filesystem::equivalent(input, path, ignored))
             return fail(ErrorCode::usage, path.string() + ": the output is an input file; choose another name");
     return {};
+}
+
+Result<Rendering> RenderCommand::draw(const ReliefMap& map, const RenderOptions& picture) const {
+    if (options_.horizons.empty()) return render(map, picture, options_.backend);
+    const Result<BumpMap> horizons = read_bump_map(options_.horizons, options_.hints.max_bytes);
+    if (!horizons) return tl::unexpected(horizons.error());
+    Result<ReliefRenderer> renderer = ReliefRenderer::create(options_.backend);
+    if (!renderer) return tl::unexpected(renderer.error());
+    if (Result<void> loaded = renderer->load(map); !loaded) return tl::unexpected(loaded.error());
+    if (Result<void> loaded = renderer->load_horizons(*horizons); !loaded)
+        return fail(loaded.error().code, options_.horizons + ": " + loaded.error().message);
+    return renderer->render(picture);
 }
 
 Result<void> RenderCommand::write_error(const ReliefMap& map, const Rendering& rendering) const {
@@ -116,6 +131,8 @@ Result<void> RenderCommand::run() {
         if (std::filesystem::path(options_.error).lexically_normal() == std::filesystem::path(options_.output).lexically_normal())
             return fail(ErrorCode::usage, "--error: names the same file as --output");
     }
+    if ((options_.picture.shadow == Shadow::horizon) == options_.horizons.empty())
+        return fail(ErrorCode::usage, options_.horizons.empty() ? "--shadow horizon: needs --horizon FILE" : "--horizon: needs --shadow horizon");
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
 
@@ -130,7 +147,7 @@ Result<void> RenderCommand::run() {
     picture.max_steps = technique->max_steps;
     picture.linear_steps = technique->linear_steps;
     picture.binary_steps = technique->binary_steps;
-    const Result<Rendering> rendering = render(*map, picture, options_.backend);
+    const Result<Rendering> rendering = draw(*map, picture);
     if (!rendering) return tl::unexpected(rendering.error());
     if (!options_.error.empty())
         if (Result<void> written = write_error(*map, *rendering); !written) return written;

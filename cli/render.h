@@ -18,6 +18,7 @@ class RenderCommand : public Command {
 
   private:
     Result<void> check_output(const std::filesystem::path& path) const;
+    Result<Rendering> draw(const ReliefMap& map, const RenderOptions& picture) const;
     Result<void> write_error(const ReliefMap& map, const Rendering& rendering) const;
 
     struct Options {
@@ -25,6 +26,7 @@ class RenderCommand : public Command {
         std::string output;
         std::string error; ///< picture of the distances from the exact hits; empty: none
         MapHints hints;
+        std::string horizons; ///< horizon map of the same heights; empty: none
         RenderOptions picture;
         RendererBackend backend = RendererBackend::osmesa;
         TechniqueOptions technique;

@@ -13,7 +13,8 @@ inline const Words<Technique> technique_words = [] {
     return words;
 }();
 inline const Words<Shadow> shadow_words = {
-    {"hard", Shadow::hard}, {"height-soft", Shadow::height_soft}, {"cone-soft", Shadow::cone_soft}};
+    {"hard", Shadow::hard}, {"height-soft", Shadow::height_soft}, {"cone-soft", Shadow::cone_soft},
+    {"horizon", Shadow::horizon}};
 inline const Words<Ambient> ambient_words = {
     {"none", Ambient::none}, {"cone", Ambient::cone}, {"cone-normal", Ambient::cone_normal}};
 inline const Words<RendererBackend> renderer_words = {{"osmesa", RendererBackend::osmesa},

@@ -4,11 +4,15 @@
 #include "cli/range_option.h"
 #include "cli/render_choices.h"
 #include "cli/thread_option.h"
+#include "cli/verify_bump.h"
 #include "cli/verify_text.h"
+#include "formats/bump_file.h"
+#include "formats/shape_file.h"
 #include "formats/write_image.h"
 
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 namespace reliefbake {
 
@@ -40,6 +44,7 @@ constexpr int enough_halvings = 24; // of the whole depth: 2^-24
 } // namespace
 
 void VerifyCommand::add_to(CLI::App& app) {
+    app_ = &app;
     app.add_option("MAP", options_.file, "A baked map")->required();
     app.add_flag("--json", options_.json, "Print one object (docs/FORMATS.md)");
     app.add_option("--pictures", options_.pictures, "Folder for pictures of every view: rendering, oracle, error, steps")
@@ -78,7 +83,30 @@ Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
     return quantise_depth(height->field, map.info.bits);
 }
 
+/// Derivatives, normals, horizons: no ray is followed, but for shadows.
+Result<void> VerifyCommand::run_bump(const std::string& kind) const {
+    for (const char* unread : {"--pictures", "--source", "--crop", "--technique", "--exact-finish", "--steps", "--binary-steps", "--filter"})
+        if (app_->count(unread) > 0) return fail(ErrorCode::usage, std::string(unread) + ": says nothing to a map of kind " + kind);
+    MapHints hints = options_.hints;
+    const std::string relief = std::exchange(hints.relief, {}).string();
+    if (Result<void> checked = refuse_hints(hints, options_.file, kind); !checked) return checked;
+    const Result<int> threads = resolve_threads(options_.verify.threads);
+    if (!threads) return tl::unexpected(threads.error());
+    Result<BumpMap> map = read_bump_map(options_.file, hints.max_bytes);
+    if (!map) return tl::unexpected(map.error());
+    if (Result<void> depth = take_depth(*map, options_.file, relief, hints.max_bytes); !depth) return depth;
+    const Result<BumpReport> report =
+        verify_bump(*map, {options_.verify.points, options_.verify.seed, *threads, options_.verify.rays, options_.verify.backend});
+    if (!report) return tl::unexpected(report.error());
+    std::fputs((options_.json ? to_json(*report).dump(2) + "\n" : verify_bump_text(*map, *report)).c_str(), stdout);
+    if (report->violations == 0) return {};
+    return fail(ErrorCode::verification, options_.file + ": violated: its values are not those of the depth that it was baked for; bake it again");
+}
+
 Result<void> VerifyCommand::run() {
+    const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
+    if (!kind) return tl::unexpected(kind.error());
+    if (bump_kind_of(*kind)) return run_bump(*kind);
     VerifyOptions options = options_.verify;
     const Result<int> threads = resolve_threads(options.threads);
     if (!threads) return tl::unexpected(threads.error());

@@ -17,8 +17,10 @@ class VerifyCommand : public Command {
     Result<void> run() override;
 
   private:
+    Result<void> run_bump(const std::string& kind) const;
     Result<DepthMap> read_source(const ReliefMap& map) const;
 
+    CLI::App* app_ = nullptr;
     struct Options {
         std::string file;
         std::string source;   ///< the height map that the map was baked from

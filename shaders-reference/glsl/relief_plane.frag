@@ -12,6 +12,7 @@ layout(location = 0) out vec4 out_colour; // linear, tone-mapped; a: 1 on the re
 layout(location = 1) out vec4 out_hit;    // u, v (unwrapped, from the ray's own tile), h, gap
 layout(location = 2) out vec4 out_counts; // steps, fetches, status, t
 layout(location = 3) out vec4 out_ray;    // origin u, v and direction du, dv per unit of descent
+layout(location = 4) out vec4 out_light;  // share of the sun seen, 0 where the relief faces away from it
 
 // Filmic curve with a toe, so that shadows stay dark (Narkowicz 2016, fit to ACES).
 vec3 tone_map(vec3 colour) {
@@ -28,6 +29,7 @@ void main() {
     out_hit = vec4(0.0);
     out_counts = vec4(0.0);
     out_ray = vec4(0.0);
+    out_light = vec4(0.0);
     gl_FragDepth = 1.0;
     if (view.z >= 0.0) return;
 
@@ -44,7 +46,9 @@ void main() {
     out_hit = vec4(place, 1.0 - hit.t, hit.gap);
     out_counts = vec4(float(hit.steps), float(hit.fetches), float(hit.status), hit.t);
     out_ray = vec4(ray.origin, ray.direction);
-    out_colour = vec4(tone_map(shade_relief(place, normalize(view))), 1.0);
+    float lit = 0.0;
+    out_colour = vec4(tone_map(shade_relief(place, normalize(view), lit)), 1.0);
+    out_light.x = lit;
 
     vec3 point = entry + view * (hit.t * relief_depth_scale / -view.z);
     float distance_ahead = dot(point - camera_eye, camera_forward);

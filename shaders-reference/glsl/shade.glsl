@@ -1,7 +1,7 @@
 // Clay under a warm low sun and a blue sky. Needs relief_map.glsl and relief_cones.glsl.
 // World: x along u, y up the image, z up; unit: one texture width; z = 0 is the polygon, z = -relief_depth_scale the floor.
 //
-//   SCENE_SHADOW        0 none, 1 hard, 2 by height, 3 by cones (001 sec. 4.4)
+//   SCENE_SHADOW        0 none, 1 hard, 2 by height, 3 by cones (001 sec. 4.4), 4 by a horizon map (needs horizon.glsl)
 //   SCENE_AMBIENT       0 none, 1 cone ratio, 2 cone normal (001 sec. 4.5)
 //   RELIEF_EMPTY_CONES  1 when the cones hold nothing of the relief
 
@@ -12,6 +12,9 @@ const vec3 SUN_COLOUR = vec3(2.75, 2.3, 1.75);
 const vec3 SKY_COLOUR = vec3(0.34, 0.46, 0.68);
 const vec3 BOUNCE_COLOUR = vec3(0.26, 0.18, 0.12);
 
+#if SCENE_SHADOW == 4
+float sun_visibility(vec2 uv, float height) { return horizon_visibility(uv, scene_sun, 0.035); }
+#else
 // Share of the sun seen from the relief at uv, by marching up to the polygon: by leaps through empty cones where the map
 // has such, else by even steps. By height: how narrowly the ray passes over the relief (Tatarchuk 2006). By cones: how
 // small the ball around it that is known to be free (001 sec. 3.2; the penumbra of a distance field).
@@ -42,6 +45,7 @@ float sun_visibility(vec2 uv, float height) {
     }
     return smoothstep(0.0, 1.0, seen);
 }
+#endif
 
 // The empty cone above a point is sky for certain: an ambient term that costs nothing.
 float open_sky(float ratio) {
@@ -79,16 +83,18 @@ vec3 clay(float height) {
     return mix(mix(low, middle, smoothstep(0.0, 0.55, height)), high, smoothstep(0.4, 1.0, height));
 }
 
-// Linear colour of the relief at uv, seen along the unit vector `view` (away from the eye).
-vec3 shade_relief(vec2 uv, vec3 view) {
+// Linear colour of the relief at uv, seen along the unit vector `view` (away from the eye). `lit`: share of the sun seen.
+vec3 shade_relief(vec2 uv, vec3 view, out float lit) {
     vec4 texel = textureLod(relief_map, uv, 0.0);
     float height = 1.0 - relief_depth(texel);
     vec3 normal = relief_normal(texel);
     float facing = dot(normal, scene_sun);
     float sun = max(facing, 0.0);
-    #if SCENE_SHADOW > 0
-    if (facing > 0.0) sun *= sun_visibility(uv, height);
+    lit = facing > 0.0 ? 1.0 : 0.0;
+#if SCENE_SHADOW > 0
+    if (facing > 0.0) lit = sun_visibility(uv, height);
 #endif
+    sun *= lit;
 
     vec3 ambient = mix(BOUNCE_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.z) * sky_visibility(texel, uv);
     vec3 colour = clay(height) * (SUN_COLOUR * sun + ambient);

@@ -5,8 +5,8 @@
 
 namespace reliefbake {
 
-/// sup over 0 < s of (H(p + s heading) - H(p)) / s at the centre of texel (i, j), at least 0; height per texture width. Slopes
-/// up to `at_least` may come out as 0; then, and on clamped maps, nothing farther than the highest point could hide is asked.
-double texel_horizon(const BilinearSurface& surface, int i, int j, const Heading& heading, double at_least);
+/// sup over 0 < s <= max_distance of (H(p + s heading) - H(p)) / s at the centre of texel (i, j), at least 0; height per texture
+/// width. max_distance, texture widths, is finite on a repeated surface: nothing else ends a line that never rises.
+double texel_horizon(const BilinearSurface& surface, int i, int j, const Heading& heading, double max_distance);
 
 } // namespace reliefbake

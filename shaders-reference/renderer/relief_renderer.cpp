@@ -17,7 +17,8 @@ constexpr GLint map_unit = 0;
 constexpr GLint given_unit = 1;
 constexpr GLint cones_unit = 2;   ///< and 3
 constexpr GLint max_mip_unit = 4;
-constexpr int planes = 4; ///< colour, hit, counts, ray
+constexpr GLint horizon_unit = 5; ///< and 6
+constexpr int planes = 5; ///< colour, hit, counts, ray, light
 
 struct CompiledProgram {
     ShaderConfig config;
@@ -40,11 +41,12 @@ GlTexture upload_map(const GlFunctions& gl, const ReliefMap& map, SamplerFilter 
                   map.grid, storage_of(map.info.bits, filter));
 }
 
-/// Cone planes 4 `group` to 4 `group` + 3.
-GlTexture upload_cones(const GlFunctions& gl, const ReliefMap& map, std::size_t group, SamplerFilter filter) {
+/// Planes 4 `group` to 4 `group` + 3.
+GlTexture upload_group(const GlFunctions& gl, const std::vector<Image<float>>& images, std::size_t group, const TexelGrid& grid,
+                       TexelStorage storage) {
     Channels channels{};
-    for (std::size_t k = 4 * group; k < std::min(4 * group + 4, map.cone_planes.size()); ++k) channels[k % 4] = &map.cone_planes[k];
-    return upload_texture(gl, channels, map.grid, storage_of(map.info.bits, filter));
+    for (std::size_t k = 4 * group; k < std::min(4 * group + 4, images.size()); ++k) channels[k % 4] = &images[k];
+    return upload_texture(gl, channels, grid, storage);
 }
 
 GlTexture upload_max_mip(const GlFunctions& gl, const MaxMip& mip) {
@@ -75,6 +77,18 @@ Result<void> check_served(const ShaderConfig& config, bool cones) {
     return {};
 }
 
+/// Empty, or why horizons do not belong to a map. Other bits are welcome: shadows need fewer than heights.
+std::string horizon_misfit(const BumpMap& horizons, const ReliefMapInfo& info, const TexelGrid& grid) {
+    const TexelGrid& other = horizons.grid;
+    if (horizons.info.kind != BumpKind::horizon) return "shadows need a map of kind horizon";
+    if (other.width != grid.width || other.height != grid.height || other.pixel_aspect != grid.pixel_aspect)
+        return "the horizons are of a map of other proportions";
+    if (other.wrap_x != grid.wrap_x || other.wrap_y != grid.wrap_y) return "the horizons were baked for another wrap than the map";
+    const bool known = !info.source_hash.empty() && !horizons.info.source_hash.empty();
+    if (known && info.source_hash != horizons.info.source_hash) return "the horizons were baked from other heights than the map";
+    return "";
+}
+
 } // namespace
 
 struct ReliefRenderer::State {
@@ -82,6 +96,8 @@ struct ReliefRenderer::State {
     std::vector<CompiledProgram> programs;
     GlTexture map;
     GlTexture cones[2];       ///< planes of maps with several cones a texel
+    GlTexture horizons[2];
+    double horizon_scale = 0; ///< depth of the relief that they were baked for; 0: none loaded
     GlTexture max_mip;        ///< made when a technique first asks for it
     MaxMip max_mip_size;      ///< without its levels
     int max_mip_top = 0;
@@ -131,6 +147,10 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     uniforms.set("relief_max_mip", max_mip_unit);
     uniforms.set("relief_mip_cells", max_mip_size.cells_x, max_mip_size.cells_y);
     uniforms.set("relief_mip_top", max_mip_top);
+    uniforms.set("horizon_map_0", horizon_unit);
+    uniforms.set("horizon_map_1", horizon_unit + 1);
+    uniforms.set("horizon_diagonal", float(horizon_angle(grid, 1)));
+    uniforms.set("horizon_deepen", horizon_scale > 0 ? float(info.depth_scale / horizon_scale) : 1.0f);
     uniforms.set("relief_cone_max", std::min(info.cone_max, widest_ratio));
     uniforms.set("relief_aspect", float(grid.aspect()));
     uniforms.set("relief_delta", float(delta));
@@ -178,14 +198,28 @@ Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
     state_->screen.make_current();
     state_->map = upload_map(state_->screen.gl(), map, filter);
     for (std::size_t group = 0; group < 2; ++group)
-        state_->cones[group] = map.cone_planes.size() > 4 * group ? upload_cones(state_->screen.gl(), map, group, filter) : GlTexture();
+        state_->cones[group] = map.cone_planes.size() > 4 * group
+                                   ? upload_group(state_->screen.gl(), map.cone_planes, group, map.grid, storage_of(map.info.bits, filter))
+                                   : GlTexture();
     state_->max_mip = GlTexture();
+    state_->horizon_scale = 0;
     state_->depth = map.depth;
     state_->decoder = shader_config(map, Technique::cone, false);
     state_->has_cones = has_cones(map);
     state_->info = map.info;
     state_->grid = map.grid;
     state_->delta = filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;
+    return {};
+}
+
+Result<void> ReliefRenderer::load_horizons(const BumpMap& horizons) {
+    State& state = *state_;
+    const std::string words = horizon_misfit(horizons, state.info, state.grid);
+    if (!words.empty()) return fail(ErrorCode::usage, words);
+    state.screen.make_current();
+    for (std::size_t group = 0; group < 2; ++group)
+        state.horizons[group] = upload_group(state.screen.gl(), horizons.planes, group, horizons.grid, storage_of(horizons.info.bits, SamplerFilter::exact));
+    state.horizon_scale = horizons.info.depth_scale;
     return {};
 }
 
@@ -204,6 +238,8 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     config.shadow = options.shadow;
     config.ambient = options.ambient.value_or(config.ambient);
     if (Result<void> served = check_served(config, state.has_cones); !served) return tl::unexpected<Error>(served.error());
+    if (options.shadow == Shadow::horizon && state.horizon_scale == 0)
+        return fail(ErrorCode::usage, std::string("horizon shadows need a horizon map"));
     screen.make_current();
     const Result<GLuint> program = state.program(config);
     if (!program) return tl::unexpected<Error>(program.error());
@@ -214,6 +250,8 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     screen.bind(cones_unit, state.cones[0]);
     screen.bind(cones_unit + 1, state.cones[1]);
     screen.bind(max_mip_unit, state.max_mip);
+    screen.bind(horizon_unit, state.horizons[0]);
+    screen.bind(horizon_unit + 1, state.horizons[1]);
     GlTexture given;
     screen.gl().ActiveTexture(GL_TEXTURE0 + given_unit);
     if (options.given) {
@@ -235,6 +273,7 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     rendering.hit = screen.read_plane(1);
     rendering.counts = screen.read_plane(2);
     rendering.ray = screen.read_plane(3);
+    rendering.light = screen.read_plane(4);
     rendering.depth = screen.read_depth();
     if (screen.gl().GetError() != GL_NO_ERROR) return fail(ErrorCode::internal, "the OpenGL driver reports an error");
     return rendering;

@@ -1,6 +1,7 @@
 #pragma once
 // Renders baked maps with the shaders of glsl/, off screen.
 
+#include "bake/bump_map.h"
 #include "bake/error.h"
 #include "bake/relief_map.h"
 #include "shaders-reference/renderer/gl_context.h"
@@ -52,6 +53,10 @@ class ReliefRenderer {
     /// Uploads the map that following frames show. Errors (usage): larger than the driver's textures; `fixed8` for a map
     /// that is not 8-bit; no depth channel; more than 8 sectors or levels.
     Result<void> load(const ReliefMap& map, SamplerFilter filter = SamplerFilter::exact);
+
+    /// Uploads the horizons of the loaded map, for Shadow::horizon; forgotten with the next map. Errors (usage): no horizon map;
+    /// baked from other heights, or for another wrap or shape of pixels; larger than the driver's textures.
+    Result<void> load_horizons(const BumpMap& horizons);
 
     /// Draws one frame of the loaded map. Deterministic on one machine. Errors (usage): a picture larger than the driver
     /// allows; a technique, shadow or ambient term that the map's cones do not serve; (internal): a shader that does not compile.

@@ -31,6 +31,7 @@ struct Rendering {
     Image<Quad> hit;    ///< u, v (unwrapped, seen from the ray's own tile), h, gap above the sampled relief
     Image<Quad> counts; ///< steps, fetches, RayStatus, t (descent)
     Image<Quad> ray;    ///< origin u, v at height 1; du, dv per unit of descent
+    Image<Quad> light;  ///< share of the sun seen, 0 where the relief faces away from it; three times nothing
     Image<float> depth; ///< device depth in [0,1]; 1 where there is no relief
     RgbImage colour;
     double seconds = 0; ///< drawing, up to glFinish

@@ -16,6 +16,7 @@ enum class Shadow {
     hard,        ///< a ray that dips under the relief sees nothing
     height_soft, ///< by the least height of the ray above the relief on its way
     cone_soft,   ///< by the least distance that a cone keeps free around it; conservative cones only
+    horizon,     ///< no march: by a baked horizon map (ReliefRenderer::load_horizons)
 };
 
 /// How much of the sky a point sees (001 sec. 4.5); conservative cones only.

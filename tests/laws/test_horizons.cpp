@@ -26,7 +26,7 @@ void require_exact(const DepthMap& depth) {
     for (int k = 0; k < horizon_azimuths; ++k)
         for (int j = 0; j < grid.height; ++j)
             for (int i = 0; i < grid.width; ++i) {
-                const double slope = texel_horizon(surface, i, j, Heading::from_angle(horizon_angle(grid, k)), lowest);
+                const double slope = texel_horizon(surface, i, j, Heading::from_angle(horizon_angle(grid, k)), 1 / lowest);
                 CAPTURE(grid.width, grid.height, int(grid.wrap_x), int(grid.wrap_y), grid.pixel_aspect, k, i, j);
                 const double sine = map.sine[std::size_t(k)](i, j);
                 if (slope > 0) REQUIRE(sine == Approx(sine_of(slope)).margin(1e-6));
