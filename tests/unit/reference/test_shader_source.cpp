@@ -42,7 +42,7 @@ std::vector<ShaderConfig> configurations() {
                     config.metric = kind.sectors == 4 ? Metric::l1 : Metric::l2;
                 });
 
-    for (const Shadow shadow : {Shadow::hard, Shadow::height_soft, Shadow::cone_soft})
+    for (const Shadow shadow : {Shadow::hard, Shadow::height_soft, Shadow::cone_soft, Shadow::horizon})
         for (const Ambient ambient : {Ambient::none, Ambient::cone, Ambient::cone_normal})
             for (const bool empty : {false, true})
                 add([&](ShaderConfig& config) { config.shadow = shadow, config.ambient = ambient, config.empty_cones = empty; });
