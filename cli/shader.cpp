@@ -2,6 +2,9 @@
 
 #include "cli/choices.h"
 #include "cli/map_hint_options.h"
+#include "formats/bump_file.h"
+#include "formats/shape_file.h"
+#include "shaders-reference/renderer/bump_export.h"
 
 #include <cstdio>
 
@@ -21,6 +24,15 @@ void ShaderCommand::add_to(CLI::App& app) {
 }
 
 Result<void> ShaderCommand::run() {
+    const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
+    if (!kind) return tl::unexpected(kind.error());
+    if (bump_kind_of(*kind)) {
+        if (Result<void> checked = refuse_hints(options_.hints, options_.file, *kind); !checked) return checked;
+        const Result<BumpMap> bump = read_bump_map(options_.file, options_.hints.max_bytes);
+        if (!bump) return tl::unexpected(bump.error());
+        std::fputs(export_bump_shader(*bump, options_.language).c_str(), stdout);
+        return {};
+    }
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
     const Result<std::string> text = export_shader(*map, options_.language);

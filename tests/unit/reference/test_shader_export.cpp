@@ -1,3 +1,4 @@
+#include "shaders-reference/renderer/bump_export.h"
 #include "shaders-reference/renderer/shader_export.h"
 #include "tests/support/fields.h"
 #include "tests/support/slow_cones.h"
@@ -55,6 +56,20 @@ std::vector<ReliefMap> maps_of_all_kinds() {
     return maps;
 }
 
+/// Every kind, bit depth and convention.
+std::vector<BumpMap> bump_maps_of_all_kinds() {
+    std::vector<BumpMap> maps;
+    for (const BumpKind kind : {BumpKind::derivative, BumpKind::normal, BumpKind::horizon})
+        for (const BitDepth bits : {BitDepth::unorm8, BitDepth::unorm16, BitDepth::float32})
+            for (const SignedCodes codes : {SignedCodes::centred, SignedCodes::unorm})
+                for (const NormalY y : {NormalY::gl, NormalY::dx}) {
+                    BumpMapInfo info;
+                    info.kind = kind, info.bits = bits, info.codes = codes, info.normal_y = y;
+                    maps.push_back({info, oblong, {}, {}});
+                }
+    return maps;
+}
+
 } // namespace
 
 TEST_CASE("the shader of every kind of map compiles alone, in every language", "[shaders][export]") {
@@ -69,6 +84,12 @@ TEST_CASE("the shader of every kind of map compiles alone, in every language", "
             REQUIRE(text);
             const auto path = folder / (std::to_string(number++) + ".frag");
             std::ofstream(path) << *text;
+            files[int(language)].append(" ").append(path.string());
+        }
+    for (const BumpMap& map : bump_maps_of_all_kinds())
+        for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::glsl_es, ShaderLanguage::hlsl}) {
+            const auto path = folder / (std::to_string(number++) + ".frag");
+            std::ofstream(path) << export_bump_shader(map, language);
             files[int(language)].append(" ").append(path.string());
         }
     const auto log = folder / "log.txt";
@@ -104,4 +125,19 @@ TEST_CASE("what a shader prints is what the map says", "[export]") {
     CHECK(export_shader(map, ShaderLanguage::hlsl).value().find("relaxed_march(ray)") != std::string::npos);
     map.cone = Image<float>();
     CHECK_FALSE(export_shader(map, ShaderLanguage::glsl));
+}
+
+TEST_CASE("what a bump map's shader prints is what the map says", "[export]") {
+    BumpMapInfo info;
+    info.bits = BitDepth::unorm8, info.derivative_scale = 12.5;
+    const std::string glsl = export_bump_shader({info, oblong, {}, {}}, ShaderLanguage::glsl);
+    const auto has = [&glsl](const char* text) { return glsl.find(text) != glsl.npos; };
+    CHECK(has("const float signed_zero = 128.0;"));
+    CHECK(has("const float bump_scale = 12.5;"));
+    CHECK(has("const float bump_aspect = 0.9375;"));
+    CHECK_FALSE(has("#if"));
+    CHECK_FALSE(has("SIGNED_CODES"));
+    CHECK_FALSE(has("uniform float"));
+    info.kind = BumpKind::horizon;
+    CHECK(export_bump_shader({info, oblong, {}, {}}, ShaderLanguage::hlsl).find("atan2(") != std::string::npos);
 }
