@@ -3,6 +3,7 @@
 #include "cli/bake_bump.h"
 #include "cli/bake_cone.h"
 #include "cli/bake_families.h"
+#include "cli/bake_quadric.h"
 #include "cli/bake_shape.h"
 #include "cli/bench_cone.h"
 #include "cli/bench_dynamic.h"
@@ -28,6 +29,7 @@ constexpr CommandEntry all_commands[] = {
     {"cone-stack", "Bake cones stacked above each texel", make<ConeStackCommand>},
     {"shape", "Bake a binary shape into a shape map (gradient, distance, shape)", make<ShapeCommand>},
     {"bump", "Bake a height map into derivatives, normals or horizons, for shading", make<BumpCommand>},
+    {"quadric", "Bake a mesh's curvature into its vertices, for curved relief rendering", make<QuadricCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
     {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},
