@@ -33,10 +33,12 @@ std::string verify_text(const VerifyReport& report) {
     for (const ViewReport& view : report.views)
         text += rays_line(line("%2.0f deg @ %3.0f", view.angle, view.azimuth).c_str(), view.comparison);
     text += rays_line("all", report.total);
-    text += line("cones: %llu of %llu points violated; worst cone reaches %.6f of its limit at u %.6f, v %.6f\n",
-                 static_cast<unsigned long long>(report.cones.violations),
-                 static_cast<unsigned long long>(report.cones.points), report.cones.worst, report.cones.u,
-                 report.cones.v);
+    if (report.cones.points == 0) text += "cones: not checked at points\n";
+    else
+        text += line("cones: %llu of %llu points violated; worst cone reaches %.6f of its limit at u %.6f, v %.6f\n",
+                     static_cast<unsigned long long>(report.cones.violations),
+                     static_cast<unsigned long long>(report.cones.points), report.cones.worst, report.cones.u,
+                     report.cones.v);
     if (report.tightness)
         text += line("tightness: %.4f of the best one value per texel can do\n", *report.tightness);
     if (report.depth_difference)

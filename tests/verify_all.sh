@@ -14,9 +14,7 @@
 #   RELIEFBAKE_DATA     folder with heights/ (default ../shared/data; without it the bundled maps, and it says so)
 set -euo pipefail
 
-here=$(cd "$(dirname "$0")" && pwd)
-export tool=${RELIEFBAKE_BINARY:-$here/../build/release/bin/reliefbake}
-export MESA_SHADER_CACHE_DISABLE=true OMP_NUM_THREADS=1 LP_NUM_THREADS=1
+source "$(dirname "$0")/families.sh"
 
 # One case: bakes, verifies, prints one JSON line. Never fails: a failure is a line with "error".
 if [[ ${1-} == --case ]]; then
@@ -27,11 +25,7 @@ if [[ ${1-} == --case ]]; then
         clamp/*) suffix=tif ;;
         *) suffix=exr ;;
     esac
-    source_options=()
-    case ${height##*/} in
-        *_depth_*) source_options=(--input depth) ;;
-        *_NM_height.tga) source_options=(--channel A) ;;
-    esac
+    set_source_options "$height"
     bake=(cone "$height" -o "$scratch/$$.$suffix" "${source_options[@]}" --wrap "$wrap" --bits "$bits"
         --encoding "$encoding" --threads 1 --json)
     crop=0 # tightness is a matter of the bake, before encoding
@@ -56,7 +50,7 @@ if [[ ${1-} == --case ]]; then
     exit 0
 fi
 
-rays=30000 points=20000 jobs=$(getconf _NPROCESSORS_ONLN) table= quick= results=
+rays=30000 points=20000 jobs=$(getconf _NPROCESSORS_ONLN) table='' quick='' results=''
 while (($#)); do
     case $1 in
         --quick) quick=yes ;;
@@ -69,16 +63,9 @@ while (($#)); do
     esac
     shift
 done
-command -v jq >/dev/null || { echo "verify_all: needs jq (apt install jq)" >&2 && exit 2; }
-[[ -x $tool ]] || { echo "verify_all: no $tool: build first, or set RELIEFBAKE_BINARY" >&2 && exit 2; }
-
-folder=${RELIEFBAKE_DATA:-$here/../../shared/data}/heights
-if [[ $quick ]]; then
-    folder=$here/data/heights rays=10000 points=5000
-elif [[ ! -d $folder ]]; then
-    echo "verify_all: SKIPPED the large set: no $folder (RELIEFBAKE_DATA names its parent); taking the bundled maps" >&2
-    folder=$here/data/heights
-fi
+require_tools
+set_heights "$quick"
+if [[ $quick ]]; then rays=10000 points=5000; fi
 all_bits=(8 16 half float) all_encodings=(ratio sqrt radius normal)
 if [[ $quick ]]; then all_bits=(8 float) all_encodings=(ratio sqrt); fi
 
@@ -92,7 +79,7 @@ export scratch results rays points
 for bits in "${all_bits[@]}"; do
     for encoding in "${all_encodings[@]}"; do
         for wrap in repeat clamp; do
-            for height in "$folder"/*; do
+            for height in "$heights"/*; do
                 [[ -s $results/${height##*/}.$wrap.$bits.$encoding ]] ||
                     printf '%s\t%s\t%s\t%s\0' "$height" "$wrap" "$bits" "$encoding"
             done
