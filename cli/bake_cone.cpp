@@ -69,17 +69,17 @@ Result<void> bake_planned(const ConeCommandOptions& options) {
     const ConeCommandOptions& given = plan.given;
     StageClock clock(!given.quiet);
 
-    Result<StoredHeight> stored = read_stored_height(given, plan.bits, clock);
-    if (!stored) return tl::unexpected(stored.error());
+    Result<BakeSource> source = read_source(given, clock);
+    if (!source) return tl::unexpected(source.error());
+    DepthMap depth = clock.time("quantise", [&] { return quantise_depth(*source->field, plan.bits); });
+    source->field.reset();
     if (given.mips) {
-        const Result<MipRun> mips = bake_mips(plan, stored->source, stored->depth, clock);
+        const Result<MipRun> mips = bake_mips(plan, *source, depth, clock);
         if (!mips) return tl::unexpected(mips.error());
         clock.stop();
-        print({plan, stored->source, stored->report, mips->info, mips->levels[0].grid, mips->warnings, clock.seconds(),
-               mips->levels});
+        print({plan, source->image, source->report, mips->info, mips->levels[0].grid, mips->warnings, clock.seconds(), mips->levels});
         return {};
     }
-    DepthMap& depth = stored->depth;
     std::vector<ConeMap> cones = bake_timed_cones(depth, plan, clock);
     std::vector<EncodedConeMap> encoded = clock.time("encode", [&] {
         std::vector<EncodedConeMap> maps;
@@ -90,8 +90,8 @@ Result<void> bake_planned(const ConeCommandOptions& options) {
         return bake_normals(depth, plan.depth_scale, plan.cone.threads);
     });
 
-    const ReliefMapInfo info = describe_cones(plan, stored->source, depth, cones, encoded);
-    const std::vector<std::string> warnings = cone_warnings(given, stored->source, depth, cones, encoded);
+    const ReliefMapInfo info = describe_cones(plan, *source, depth, cones, encoded);
+    const std::vector<std::string> warnings = cone_warnings(given, source->image, depth, cones, encoded);
     cones = {};
 
     const EncodedConeMap first = given.relief_output.empty() ? EncodedConeMap{} : encoded.front();
@@ -105,7 +105,7 @@ Result<void> bake_planned(const ConeCommandOptions& options) {
         if (!beside) return beside;
     }
     clock.stop();
-    print({plan, stored->source, stored->report, info, map.grid, warnings, clock.seconds(), {}});
+    print({plan, source->image, source->report, info, map.grid, warnings, clock.seconds(), {}});
     return {};
 }
 

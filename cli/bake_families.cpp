@@ -26,6 +26,7 @@ void AcmCommand::add_to(CLI::App& app) {
     options_.kind = "acm";
     options_.planes = 4;
     add_input_options(app, options_);
+    add_alpha_options(app, options_.alpha);
     add_search_options(app, options_);
     add_cone_max_option(app, options_);
     app.add_option("--sectors", options_.planes, "Sectors of azimuth, counted from +u towards +v (default 4)")
@@ -61,6 +62,7 @@ void ConeNormalCommand::add_to(CLI::App& app) {
     options_.encoding = ConeEncoding::normal;
     options_.cone.ratio_max = std::numeric_limits<float>::infinity();
     add_input_options(app, options_);
+    add_alpha_options(app, options_.alpha);
     add_search_options(app, options_);
     add_family_options(app, options_.family, true);
     add_output_options(app, options_);
@@ -74,6 +76,7 @@ void ConeStackCommand::add_to(CLI::App& app) {
     options_.kind = "cone-stack";
     options_.planes = 4;
     add_input_options(app, options_);
+    add_alpha_options(app, options_.alpha);
     add_search_options(app, options_);
     add_cone_max_option(app, options_);
     app.add_option("--levels", options_.planes, "Cones above each texel; the first stands on it (default 4)")->check(CLI::Range(1, 16));

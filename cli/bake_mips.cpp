@@ -82,7 +82,7 @@ std::string file_of(const ConePlan& plan, int level) {
 
 } // namespace
 
-Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const DepthMap& depth, StageClock& clock) {
+Result<MipRun> bake_mips(const ConePlan& plan, const BakeSource& source, const DepthMap& depth, StageClock& clock) {
     std::vector<Level> levels = bake_levels(plan, depth, clock);
 
     // Say what they are.
@@ -92,7 +92,7 @@ Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const 
         infos.push_back(describe_cones(plan, source, level.depth, level.cones, level.codes));
     describe_chain(infos, plan);
     run.info = infos[0];
-    run.warnings = cone_warnings(plan.given, source, levels[0].depth, levels[0].cones, levels[0].codes);
+    run.warnings = cone_warnings(plan.given, source.image, levels[0].depth, levels[0].cones, levels[0].codes);
     for (std::size_t n = 0; n < levels.size(); ++n)
         run.levels.push_back({file_of(plan, int(n)), levels[n].depth.grid, infos[n].statistics});
 

@@ -5,6 +5,7 @@
 #include "cli/cone_options.h"
 #include "cli/cone_report.h"
 #include "cli/stage_clock.h"
+#include "cli/stored_height.h"
 
 #include <string>
 #include <vector>
@@ -20,6 +21,6 @@ struct MipRun {
 
 /// Bakes every level of the chain of `depth` and writes it to the plan's output.
 /// Errors: those of write_map_levels.
-Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const DepthMap& depth, StageClock& clock);
+Result<MipRun> bake_mips(const ConePlan& plan, const BakeSource& source, const DepthMap& depth, StageClock& clock);
 
 } // namespace reliefbake

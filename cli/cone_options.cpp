@@ -94,6 +94,7 @@ void add_input_options(CLI::App& app, ConeCommandOptions& options) {
 
 void add_cone_options(CLI::App& app, ConeCommandOptions& options) {
     add_input_options(app, options);
+    add_alpha_options(app, options.alpha);
     add_search_options(app, options);
     add_cone_max_option(app, options);
     add_family_options(app, options.family, true);

@@ -6,6 +6,7 @@
 #include "bake/error.h"
 #include "bake/height_field.h"
 #include "bake/relief_map.h"
+#include "cli/alpha_options.h"
 #include "cli/family_options.h"
 #include "formats/read_image.h"
 
@@ -23,6 +24,7 @@ struct ConeCommandOptions {
     std::string input;    ///< IN
     std::string output;   ///< -o, --output
     ReadOptions read;     ///< --channel, --max-bytes
+    AlphaOptions alpha;   ///< --alpha --alpha-threshold
     HeightOptions height; ///< --input --range --nan --no-data --scale --bias --wrap --pixel-aspect
     std::string kind = "cone"; ///< what the command bakes: "cone", "acm", "cone-stack"
     int planes = 1;            ///< sectors of an acm (--sectors), levels of a cone-stack (--levels)

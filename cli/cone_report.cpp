@@ -64,6 +64,8 @@ std::string cone_summary(const ConeRun& run) {
     text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
                    word_of(encoding_words, run.info.encoding).c_str(), storage_words(run.info.bits),
                    statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
+    if (run.info.holes)
+        text += format("  %.0f texels are holes, %.0f cells open\n", statistics.at("hole_texels"), statistics.at("open_cells"));
     if (!run.levels.empty())
         text += format("  %zu mip levels, %s\n", run.levels.size(),
                        run.info.trilinear ? "safe to blend" : "one at a time (nearest mip)");

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 Result<void> validate_output(const ConeCommandOptions& options) {
     if (Result<void> other = validate_not_input(options.input, options.output); !other) return other;
+    for (const std::string& output : {options.output, options.relief_output})
+        if (Result<void> other = validate_not_input(options.alpha.from, output); !other) return other;
     if (!options.relief_output.empty() && fs::path(options.relief_output).lexically_normal() == fs::path(options.output).lexically_normal())
         return fail(ErrorCode::usage, "--relief: is the output itself; choose another name");
     if (options.kind == "cone" && options.layout && extension_of(options.output) != ".exr")

@@ -49,6 +49,7 @@ struct MapHints {
     std::string channel_order = ""; ///< e.g. "RGBA" = nx, ny, cone, depth; "--BA": letters name the file's channels
                                     ///< that hold nx, ny, cone, depth; '-' = absent. Empty: as the metadata says
     bool alpha_is_height = false;   ///< the depth channel holds height
+    bool holes = false;             ///< depth 1 is a hole
     std::filesystem::path relief;   ///< a map of kind cone that holds the depth and the normals of a map without them
     int level = 0;                  ///< mip level to read, of an EXR or TIFF that has some; 0 the largest
     bool cones_suffice = false;     ///< without `relief`, leave depth and normals empty instead of refusing (explain)
