@@ -104,9 +104,9 @@ TEST_CASE("levels of a chain have holes of their own, safe to blend") {
 
 TEST_CASE("cones alone keep their holes in the relief file, and another's are refused") {
     write_inputs();
-    bake("acm waves.pgm --alpha mask.pgm -o sectors.png --relief relief.png");
+    bake("acm waves.pgm --wrap repeat --alpha mask.pgm -o sectors.png --relief relief.png");
     CHECK(judged("sectors.png --relief relief.png")["holes"] > 0.01);
-    bake("cone waves.pgm -o other.png");
+    bake("cone waves.pgm --wrap repeat -o other.png");
     const Outcome refused = run_tool("verify sectors.png --relief other.png");
     CHECK(refused.status == 65);
     CHECK(refused.err.find("other holes") != std::string::npos);

@@ -194,7 +194,7 @@ TEST_CASE("a map without a hole is the plain map; one that is all hole has the w
     CHECK(first_hit(BilinearSurface(none), {0.5, 0.5, 1, 1, 0, -1}));
 
     const DepthMap all{grid_of(9, 7, Wrap::clamp), BitDepth::unorm8, Image<float>(9, 7, 255), true};
-    for (float ratio : bake_cones(all, exact_options()).ratio) CHECK(ratio == 4);
+    for (float ratio : bake_cones(all, exact_options()).ratio) CHECK(double(ratio) == Approx(4));
     CHECK(count_holes(all).texels == 63);
     CHECK(count_holes(all).cells == 63);
     CHECK_FALSE(first_hit(BilinearSurface(all), {0.5, 0.5, 1, 1, 0, -1}));
@@ -250,6 +250,6 @@ TEST_CASE("solid ground keeps its own slope up to the rim of a hole") {
     for (int j = 0; j < 24; ++j)
         for (int i = 0; i < 24; ++i)
             if (!cut.is_hole(i, j)) REQUIRE(double(rim.x(i, j)) == Approx(double(whole.x(i, j))).margin(1e-4));
-    CHECK(rim.x(8, 12) > 0.5f); // the wall that leans over the hole faces into it
+    CHECK(rim.x(8, 12) > 0.3f); // the wall that leans over the hole faces into it
     CHECK(rim.x(15, 12) < -0.3f);
 }
