@@ -99,15 +99,15 @@ std::vector<DepthMap> bake_depth_mips(const DepthMap& depth) {
 /// Distances are |(du, a dv)| with the pixel aspect a. Baked with a' instead, they are too short where a' < a: safe. Where
 /// a' > a they are too long by a'/a at most, in either metric, and so are the ratios (distance over height difference):
 ///     r = r' a / a'.
-ConeMap bake_level_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics) {
+ConeMap bake_level_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics, SharedPyramids* shared) {
     const double aspect = depth.grid.pixel_aspect;
-    if (is_baked_pixel_aspect(aspect)) return bake_cones(depth, options, statistics);
+    if (is_baked_pixel_aspect(aspect)) return bake_cones(depth, options, statistics, shared);
     DepthMap baked = depth;
     baked.grid.pixel_aspect = std::clamp(aspect, least_pixel_aspect, largest_pixel_aspect);
     const double scale = std::min(1.0, aspect / baked.grid.pixel_aspect);
     ConeOptions wider = options; // so that the cap is met after scaling
     wider.ratio_max = float(options.ratio_max / scale);
-    ConeMap cones = bake_cones(baked, wider, statistics);
+    ConeMap cones = bake_cones(baked, wider, statistics, shared);
     cones.grid = depth.grid;
     cones.options = options;
     for (float& ratio : cones.ratio) ratio = std::min(rounded_down(double(ratio) * scale), options.ratio_max);

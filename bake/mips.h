@@ -15,6 +15,7 @@ std::vector<DepthMap> bake_depth_mips(const DepthMap& depth);
 
 /// bake_cones for a level of any pixel aspect; same guarantee. Beyond 0.5 to 2 the cones get narrower than they need be.
 /// Not for sectors: their bounds are angles, which another aspect would turn.
-ConeMap bake_level_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics = nullptr);
+ConeMap bake_level_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics = nullptr,
+                         SharedPyramids* shared = nullptr);
 
 } // namespace reliefbake

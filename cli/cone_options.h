@@ -16,6 +16,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace reliefbake {
 
@@ -55,17 +56,22 @@ struct ConePlan {
     std::string argument_hash; ///< of the options that fix the result
 };
 
-void add_cone_options(CLI::App& app, ConeCommandOptions& options);
-
-// Its groups, for the commands that share some of them.
+// Groups of options, for the commands that share some of them.
 void add_input_options(CLI::App& app, ConeCommandOptions& options);  ///< IN, Source, Proportions
-void add_search_options(CLI::App& app, ConeCommandOptions& options); ///< --surface --metric --tolerance --threads
+void add_run_options(CLI::App& app, ConeCommandOptions& options);    ///< those, --alpha, --threads --json --quiet: the same for all maps of a run
+void add_search_options(CLI::App& app, ConeCommandOptions& options); ///< --surface --metric --tolerance
 void add_cone_max_option(CLI::App& app, ConeCommandOptions& options);
-void add_output_options(CLI::App& app, ConeCommandOptions& options); ///< -o --bits --normal-y --json --quiet
+void add_output_options(CLI::App& app, ConeCommandOptions& options); ///< -o --bits --normal-y
 void add_encoding_option(CLI::App& app, ConeCommandOptions& options);
 void add_exr_layout_option(CLI::App& app, ConeCommandOptions& options);
 
+/// Copies what add_run_options sets.
+void copy_run_options(const ConeCommandOptions& from, ConeCommandOptions& to);
+
 /// Refuses (usage) options that do not fit each other or the output's format.
 Result<ConePlan> plan_cone(const ConeCommandOptions& options);
+
+/// Refuses (usage) files that two plans of a run would write, also where only their case differs, and those that are its input.
+Result<void> validate_outputs(const std::vector<ConePlan>& plans);
 
 } // namespace reliefbake
