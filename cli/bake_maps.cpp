@@ -77,11 +77,14 @@ class Run {
     }
 
     Surface& surface_of(std::size_t index, StageClock& clock) {
+        const auto stored_as = [&](BitDepth bits) {
+            return std::find_if(surfaces_.begin(), surfaces_.end(), [&](const Surface& known) { return known.bits == bits; });
+        };
         const BitDepth bits = plans_[index].bits;
-        for (Surface& known : surfaces_)
-            if (known.bits == bits) return known;
+        if (const auto known = stored_as(bits); known != surfaces_.end()) return *known;
         surfaces_.push_back({bits, clock.time("quantise", [&] { return quantise_depth(*source_.field, bits); }), {}, {}, {}});
-        if (!any_later(index, [&](const ConePlan& later) { return later.bits != bits; })) source_.field.reset();
+        const auto needs_field = [&](const ConePlan& later) { return stored_as(later.bits) == surfaces_.end(); };
+        if (!any_later(index, needs_field)) source_.field.reset();
         return surfaces_.back();
     }
 

@@ -153,7 +153,9 @@ Result<void> FileBatch::add(const fs::path& path, std::span<const std::byte> byt
     else if (!free_slots.try_acquire()) return fail(ErrorCode::write_failed, path.string() + ": too many files at once");
     const fs::path directory = target->has_parent_path() ? target->parent_path() : fs::path(".");
     files_.push_back(std::unique_ptr<Staged>(new Staged{path, *target, directory, {}}));
-    return files_.back()->write(bytes);
+    const Result<void> written = files_.back()->write(bytes);
+    if (!written) files_.pop_back(); // never to be published
+    return written;
 }
 
 Result<void> FileBatch::publish() {
