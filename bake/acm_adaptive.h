@@ -11,6 +11,7 @@ struct AdaptiveOptions {
     int sectors = 4;          ///< 4 or 8 (--sectors)
     int levels = 3;           ///< of the max pyramid above the map; 0 is the original ring search (--levels)
     double similarity = 0.05; ///< a texel this close to its parent in height copies the parent's cones (--similarity)
+    friend bool operator==(const AdaptiveOptions&, const AdaptiveOptions&) = default;
 };
 
 /// Texel cones per sector: on the coarsest level by expanding rings with early-out (002 sec. II-B, II-C), then downwards, copied

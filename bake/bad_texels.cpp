@@ -36,12 +36,13 @@ std::vector<Texel> shore(const Image<float>& plane, const Image<std::uint8_t>& b
 
 } // namespace
 
-BadTexels find_bad_texels(const Image<float>& plane, std::optional<float> no_data) {
+BadTexels find_bad_texels(const Image<float>& plane, std::optional<float> no_data, const HoleMask& holes) {
     BadTexels bad;
     for (int y = 0; y < plane.height(); ++y)
         for (int x = 0; x < plane.width(); ++x) {
             const float value = plane(x, y);
             if (std::isfinite(value) && !(no_data && value == *no_data)) continue;
+            if (!holes.empty() && holes(x, y)) continue;
             if (bad.count++ == 0) {
                 bad.first_x = x;
                 bad.first_y = y;
@@ -50,6 +51,12 @@ BadTexels find_bad_texels(const Image<float>& plane, std::optional<float> no_dat
             bad.mask(x, y) = 1;
         }
     return bad;
+}
+
+void add_holes(const HoleMask& holes, BadTexels& bad) {
+    if (bad.mask.empty() && !holes.empty()) bad.mask = Image<std::uint8_t>(holes.width(), holes.height());
+    for (std::size_t k = 0; k < holes.size(); ++k)
+        if (holes[k]) bad.mask[k] = 1, ++bad.count;
 }
 
 void fill_bad_texels(Image<float>& plane, BadTexels bad) {

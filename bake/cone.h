@@ -46,7 +46,10 @@ struct ConeOptions {
     float relaxed_slope = 0; ///< for RelaxedRays::slope: height per texture width (--relaxed slope:S)
     float hybrid_delta = 0;  ///< for ConeFamily::hybrid: 0..1; 0 is conservative, 1 strict relaxed (--delta)
     ConeLookup lookup = ConeLookup::filtered; ///< (--lookup)
+    friend bool operator==(const ConeOptions&, const ConeOptions&) = default;
 };
+
+class SharedPyramids;
 
 /// Cone ratios, one per texel, in (0, ratio_max]; a conservative cone under the guarantee C of MATHS.
 struct ConeMap {
@@ -65,19 +68,21 @@ struct ConeStatistics {
 
 /// Bakes cones for the stored surface. Guarantee C: no point of the decoded surface lies inside any cone, read with
 /// bilinear or nearest filtering. Same bits for every thread count and SIMD width. `depth` is quantised from a
-/// HeightField, or has a pixel aspect that passes is_baked_pixel_aspect.
-ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics = nullptr);
+/// HeightField, or has a pixel aspect that passes is_baked_pixel_aspect. `shared` (of this depth alone) keeps pyramids for
+/// other bakes of it, and changes no bit.
+ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics = nullptr,
+                   SharedPyramids* shared = nullptr);
 
 /// One map per sector of azimuth: sector k of n holds rays that move by (du, R dv) at an angle in [2 pi k/n, 2 pi (k+1)/n),
 /// u to the right, v down the image (MATHS section 4; 002). The family's guarantee holds in each sector, borders included.
 /// `sectors`: 4 or 8; the metric is l2, or l1 with 4.
 std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const ConeOptions& options,
-                                       ConeStatistics* statistics = nullptr);
+                                       ConeStatistics* statistics = nullptr, SharedPyramids* shared = nullptr);
 
 /// Cones stacked above each texel (001 sec. 3.4, method 1): level k of n has its apex at height h + (1 - h) k/n above the
 /// texel, level 0 on the surface. A ray above an apex may step as in that cone; the longest step wins.
 std::vector<ConeMap> bake_stacked_cones(const DepthMap& depth, int levels, const ConeOptions& options,
-                                        ConeStatistics* statistics = nullptr);
+                                        ConeStatistics* statistics = nullptr, SharedPyramids* shared = nullptr);
 
 struct EncodeOptions {
     ConeEncoding encoding = ConeEncoding::sqrt; ///< (--encoding)

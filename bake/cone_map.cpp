@@ -8,6 +8,7 @@
 #include "bake/max_pyramid.h"
 #include "bake/parallel.h"
 #include "bake/search_surface.h"
+#include "bake/shared_pyramids.h"
 
 #include <algorithm>
 #include <cassert>
@@ -46,8 +47,8 @@ double slope_unit(const DepthMap& depth) { return double(depth.grid.width) / max
 /// A bake in progress: slopes of one cone map, raised by one search after another.
 class ConeBake {
   public:
-    ConeBake(const DepthMap& depth, const ConeOptions& options, ConeStatistics& statistics)
-        : depth_(depth), options_(options), statistics_(statistics) {
+    ConeBake(const DepthMap& depth, const ConeOptions& options, ConeStatistics& statistics, SharedPyramids* shared)
+        : depth_(depth), options_(options), statistics_(statistics), shared_(shared) {
         surface_.grid = depth.grid, surface_.metric = options.metric, surface_.model = options.surface;
         surface_.height = Image<float>(depth.grid.width, depth.grid.height);
         parallel_for(depth.grid.height, options.threads, [&](int y) {
@@ -68,12 +69,12 @@ class ConeBake {
     /// Raises `slopes` by all points of the surface, seen from cones that stand on it, or on `apex` when one is given.
     void search_all(Image<float> apex, Image<float>& slopes) {
         surface_.apex = std::move(apex);
-        if (pyramid_.level_count() == 0) pyramid_ = build_max_pyramid(surface_.height, options_.threads);
+        const MaxPyramid& pyramid = (shared_ ? *shared_ : own_).of({}, surface_.height, options_.threads);
         statistics_.seconds_pyramid += watch_.lap();
         raise(near_slopes(surface_, options_.threads), slopes);
         statistics_.seconds_near += watch_.lap();
         statistics_.node_tests +=
-            search_far_slopes(surface_, {surface_.height, {}}, pyramid_, options_.tolerance, options_.threads, slopes);
+            search_far_slopes(surface_, {surface_.height, {}}, pyramid, options_.tolerance, options_.threads, slopes);
         statistics_.seconds_search += watch_.lap();
         surface_.apex = {};
     }
@@ -91,7 +92,9 @@ class ConeBake {
             const Image<float>& height = turned[k].height;
             const ExitTexels seen = exits ? exit_texels(turned[k], options_.threads) : ExitTexels{};
             const SearchTarget target{exits ? seen.height : height, seen.from};
-            const MaxPyramid pyramid = build_max_pyramid(target.height, options_.threads);
+            SharedPyramids once; // alone, nobody asks twice
+            const SharedPyramids::Subject subject{sectors[k].flip, exits, exits ? options_.metric : Metric::l2};
+            const MaxPyramid& pyramid = (shared_ ? *shared_ : once).of(subject, target.height, options_.threads);
             statistics_.seconds_pyramid += watch_.lap();
             slopes = flipped(slopes, sectors[k].flip);
             statistics_.node_tests += search_far_slopes(turned[k], target, pyramid, options_.tolerance, options_.threads, slopes);
@@ -150,7 +153,8 @@ class ConeBake {
     ConeStatistics& statistics_;
     Stopwatch watch_;
     SearchSurface surface_{};
-    MaxPyramid pyramid_; ///< of all texels
+    SharedPyramids* shared_; ///< may be null
+    SharedPyramids own_;     ///< without `shared_`: the pyramid of all texels
 };
 
 ExitRule exit_rule(const DepthMap& depth, const ConeOptions& options) {
@@ -169,11 +173,11 @@ Image<float> lifted(const SearchSurface& surface, float lift) {
 
 } // namespace
 
-ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics) {
+ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics, SharedPyramids* shared) {
     assert(options.ratio_max > 0 && options.tolerance >= 0);
     assert(is_baked_pixel_aspect(depth.grid.pixel_aspect));
     ConeStatistics local;
-    ConeBake bake(depth, options, statistics ? *statistics : local);
+    ConeBake bake(depth, options, statistics ? *statistics : local, shared);
     Image<float> slopes;
     if (options.family == ConeFamily::conservative) bake.search_all({}, slopes);
     else bake.search_sectors(sectors_of(4), exit_rule(depth, options), slopes);
@@ -182,11 +186,12 @@ ConeMap bake_cones(const DepthMap& depth, const ConeOptions& options, ConeStatis
     return bake.finish(std::move(slopes));
 }
 
-std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const ConeOptions& options, ConeStatistics* statistics) {
+std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const ConeOptions& options, ConeStatistics* statistics,
+                                       SharedPyramids* shared) {
     assert(sectors == 4 || (sectors == 8 && options.metric == Metric::l2));
     assert(options.family != ConeFamily::hybrid);
     ConeStatistics local;
-    ConeBake bake(depth, options, statistics ? *statistics : local);
+    ConeBake bake(depth, options, statistics ? *statistics : local, shared);
     std::optional<ExitRule> exits;
     if (options.family == ConeFamily::relaxed) exits = exit_rule(depth, options);
     std::vector<ConeMap> maps;
@@ -198,10 +203,11 @@ std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const
     return maps;
 }
 
-std::vector<ConeMap> bake_stacked_cones(const DepthMap& depth, int levels, const ConeOptions& options, ConeStatistics* statistics) {
+std::vector<ConeMap> bake_stacked_cones(const DepthMap& depth, int levels, const ConeOptions& options, ConeStatistics* statistics,
+                                        SharedPyramids* shared) {
     assert(levels >= 1 && options.family == ConeFamily::conservative);
     ConeStatistics local;
-    ConeBake bake(depth, options, statistics ? *statistics : local);
+    ConeBake bake(depth, options, statistics ? *statistics : local, shared);
     std::vector<ConeMap> maps;
     for (int level = 0; level < levels; ++level) {
         // Heights are negated levels, the top is 0: an apex at h + (1 - h) k/n is h (1 - k/n) here.

@@ -15,7 +15,7 @@ enum class DerivativeKernel {
 };
 
 /// Depth change per texel at a texel: central inside and across a repeating border, one-sided at a clamped one, 0 on an axis
-/// of one texel. Differences are taken between stored levels, so that a flat or straight map has exact ones.
+/// of one texel; on solid ground one-sided beside a hole, so that its edge keeps its own slope. Differences are taken between stored levels, so that a flat or straight map has exact ones.
 class DepthSlopes {
   public:
     DepthSlopes(const DepthMap& depth, DerivativeKernel kernel)
@@ -25,20 +25,34 @@ class DepthSlopes {
 
     double along_x(int x, int y) const {
         const int left = grid_.address_x(x - 1), right = grid_.address_x(x + 1);
-        const auto rise = [&](int row) { return double(depth_.level(right, row)) - double(depth_.level(left, row)); };
+        const auto rise = [&](int row) { return rise_between({left, row}, {x, row}, {right, row}); };
         double sum = own_ * rise(y);
         if (side_ > 0) sum += side_ * (rise(grid_.address_y(y - 1)) + rise(grid_.address_y(y + 1)));
         return sum / (full_ * steps(x, grid_.width, grid_.wrap_x));
     }
     double down_y(int x, int y) const {
         const int above = grid_.address_y(y - 1), below = grid_.address_y(y + 1);
-        const auto rise = [&](int column) { return double(depth_.level(column, below)) - double(depth_.level(column, above)); };
+        const auto rise = [&](int column) { return rise_between({column, above}, {column, y}, {column, below}); };
         double sum = own_ * rise(x);
         if (side_ > 0) sum += side_ * (rise(grid_.address_x(x - 1)) + rise(grid_.address_x(x + 1)));
         return sum / (full_ * steps(y, grid_.height, grid_.wrap_y));
     }
 
   private:
+    struct Texel {
+        int x, y;
+    };
+    double level(Texel t) const { return depth_.level(t.x, t.y); }
+    bool is_hole(Texel t) const { return depth_.is_hole(t.x, t.y); }
+
+    /// From the texel before to the one after. A hole beside solid ground counts as the mirror of the other side.
+    double rise_between(Texel before, Texel here, Texel after) const {
+        if (!depth_.holes || is_hole(here)) return level(after) - level(before);
+        if (is_hole(before) && is_hole(after)) return 0;
+        if (is_hole(before)) return 2 * (level(after) - level(here));
+        return is_hole(after) ? 2 * (level(here) - level(before)) : level(after) - level(before);
+    }
+
     /// Texels between the two neighbours that texel i's difference takes.
     static int steps(int i, int count, Wrap wrap) {
         if (wrap == Wrap::repeat) return 2;

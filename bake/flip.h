@@ -9,6 +9,7 @@ namespace reliefbake {
 
 struct Flip {
     bool x = false, y = false; ///< left to right, top to bottom
+    friend bool operator==(const Flip&, const Flip&) = default;
 };
 
 /// Its own inverse.

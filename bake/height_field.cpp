@@ -3,6 +3,7 @@
 #include "bake/bad_texels.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
@@ -44,12 +45,13 @@ Result<void> validate_options(const HeightOptions& options, bool source_is_integ
     return {};
 }
 
-/// Every texel of the result is finite.
-Result<Image<float>> validate_samples(const Image<float>& source, const HeightOptions& options,
+/// Every texel of the result is finite. Holes hold what lies beside them, so that they change no range.
+Result<Image<float>> validate_samples(const Image<float>& source, const HoleMask& holes, const HeightOptions& options,
                                       const std::string& name, HeightReport& report) {
-    BadTexels bad = find_bad_texels(source, options.no_data);
+    BadTexels bad = find_bad_texels(source, options.no_data, holes);
     report.bad_texels = bad.count;
-    if (bad.count == source.size())
+    const std::size_t open = std::size_t(std::count(holes.begin(), holes.end(), 1));
+    if (bad.count > 0 && bad.count + open == source.size())
         return fail(ErrorCode::bad_data, name + ": expected heights, found only NaN, Inf or no-data values");
     if (bad.count > 0 && options.nan == NanPolicy::error)
         return fail(ErrorCode::bad_data, name + ": expected a height everywhere, found " +
@@ -57,7 +59,9 @@ Result<Image<float>> validate_samples(const Image<float>& source, const HeightOp
                                              " NaN, Inf or no-data values, the first at " +
                                              position_text(bad.first_x, bad.first_y) +
                                              "; --nan fill fills them from the nearest valid texel");
+    if (open == source.size()) return Image<float>(source.width(), source.height(), options.range == RangeMode::fixed ? options.range_low : 0);
     Image<float> plane = source;
+    add_holes(holes, bad);
     fill_bad_texels(plane, std::move(bad));
     return plane;
 }
@@ -118,23 +122,24 @@ Wrap resolve_wrap(WrapChoice choice, const Seam& seam) {
 /// The one maker of height fields.
 class HeightFieldBuilder {
   public:
-    static HeightField build(Image<float> heights, const HeightOptions& options, const HeightReport& report) {
+    static HeightField build(Image<float> heights, HoleMask holes, const HeightOptions& options, const HeightReport& report) {
         TexelGrid grid;
         grid.width = heights.width();
         grid.height = heights.height();
         grid.wrap_x = resolve_wrap(options.wrap_x, report.seam_x);
         grid.wrap_y = resolve_wrap(options.wrap_y, report.seam_y);
         grid.pixel_aspect = options.pixel_aspect;
-        return HeightField(grid, std::move(heights));
+        return HeightField(grid, std::move(heights), std::move(holes));
     }
 };
 
-Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer,
-                                        const HeightOptions& options, const std::string& name) {
+Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer, const HeightOptions& options,
+                                        const std::string& name, HoleMask holes) {
+    assert(holes.empty() || (holes.width() == source.width() && holes.height() == source.height()));
     if (Result<void> valid = validate_options(options, source_is_integer, name); !valid) return tl::unexpected(valid.error());
     // Make every sample finite.
     HeightReport report;
-    Result<Image<float>> plane = validate_samples(source, options, name, report);
+    Result<Image<float>> plane = validate_samples(source, holes, options, name, report);
     if (!plane) return tl::unexpected(plane.error());
     const auto [low, high] = std::minmax_element(plane->begin(), plane->end());
     report.source_low = *low;
@@ -153,10 +158,12 @@ Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_
     // Map to heights, and measure whether they tile.
     for (float& value : *plane)
         value = mapping(value);
+    for (std::size_t k = 0; k < holes.size(); ++k)
+        if (holes[k]) (*plane)[k] = 0;
     const Seams seams = measure_seams(*plane);
     report.seam_x = seams.x;
     report.seam_y = seams.y;
-    return CheckedHeight{HeightFieldBuilder::build(std::move(*plane), options, report), report};
+    return CheckedHeight{HeightFieldBuilder::build(std::move(*plane), std::move(holes), options, report), report};
 }
 
 } // namespace reliefbake

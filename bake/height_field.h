@@ -3,6 +3,7 @@
 
 #include "bake/bit_depth.h"
 #include "bake/error.h"
+#include "bake/holes.h"
 #include "bake/image.h"
 #include "bake/seam.h"
 #include "bake/texel_grid.h"
@@ -35,17 +36,20 @@ struct HeightOptions {
     double pixel_aspect = 1; ///< height of a texel divided by its width, 0.5 to 2 (--pixel-aspect)
 };
 
-/// Heights in [0,1], 1 = top; finite; at least one texel. Only make_height_field makes one.
+/// Heights in [0,1], 1 = top; finite; at least one texel; 0 at holes. Only make_height_field makes one.
 class HeightField {
   public:
     const TexelGrid& grid() const { return grid_; }
     const Image<float>& heights() const { return heights_; }
+    const HoleMask& holes() const { return holes_; }
 
   private:
     friend class HeightFieldBuilder;
-    HeightField(TexelGrid grid, Image<float> heights) : grid_(grid), heights_(std::move(heights)) {}
+    HeightField(TexelGrid grid, Image<float> heights, HoleMask holes)
+        : grid_(grid), heights_(std::move(heights)), holes_(std::move(holes)) {}
     TexelGrid grid_;
     Image<float> heights_;
+    HoleMask holes_;
 };
 
 /// What the door saw and chose; printed with the result.
@@ -65,10 +69,11 @@ struct CheckedHeight {
 /// Validates a decoded source plane and maps it to heights. `name` is the file, for messages.
 /// Errors: bad_data: NaN/Inf/no-data without NanPolicy::fill (count and first position) or nowhere a valid
 /// value; values outside a fixed range; scale and bias that leave 0..1. usage: options outside their ranges.
+/// `holes`: empty, or of the source's size; what the source holds there is neither judged nor measured.
 /// Guarantee: an integer source of 8 or 16 bits comes back code for code from quantise_depth at its own
-/// depth, and the grid's pixel aspect is one that bake_cones accepts.
-Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer,
-                                        const HeightOptions& options, const std::string& name);
+/// depth (with holes, but for depth 1, which they reserve), and the grid's pixel aspect is one that bake_cones accepts.
+Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer, const HeightOptions& options,
+                                        const std::string& name, HoleMask holes = {});
 
 /// The depth plane as it is stored: what the shader will sample, and what every cone is baked for (MATHS:
 /// "bake from what is stored"). level = integer code for unorm, the depth itself for floating formats; both
@@ -77,12 +82,14 @@ struct DepthMap {
     TexelGrid grid;
     BitDepth bits = BitDepth::float32;
     Image<float> level; ///< depth 0 (top) .. max_code(bits) (bottom), in code units
+    bool holes = false; ///< depth 1 is a hole, and no solid texel is as deep (bake/holes.h)
 
     /// Depth in [0,1] of one stored level.
     double depth(int x, int y) const { return double(level(x, y)) / max_code(bits); }
+    bool is_hole(int x, int y) const { return holes && level(x, y) == float(max_code(bits)); }
 };
 
-/// Depth = 1 - height, rounded to the nearest code of `bits`.
+/// Depth = 1 - height, rounded to the nearest code of `bits`. Of a field with holes, solid texels to the nearest code below 1.
 DepthMap quantise_depth(const HeightField& field, BitDepth bits);
 
 } // namespace reliefbake

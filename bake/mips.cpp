@@ -46,11 +46,33 @@ TexelGrid resized(TexelGrid grid, int width, int height) {
     return grid;
 }
 
-DepthMap stored(const Image<double>& mean, const TexelGrid& grid, BitDepth bits) {
-    DepthMap map{grid, bits, Image<float>(mean.width(), mean.height())};
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-        // The shares add up to 1 but for rounding, so a mean may leave 0..1 by as much.
-        const StoredCode code = nearest_code(std::clamp(mean[i], 0.0, 1.0), bits);
+/// Area averages of one level, unrounded.
+struct Average {
+    Image<double> depth; ///< of what is solid, times the share that is
+    Image<double> solid; ///< that share, 0..1; empty: all is
+};
+
+Average average_of(const DepthMap& depth) {
+    Average average{Image<double>(depth.grid.width, depth.grid.height), {}};
+    for (std::size_t i = 0; i < average.depth.size(); ++i) average.depth[i] = double(depth.level[i]) / max_code(depth.bits);
+    if (!depth.holes) return average;
+    average.solid = Image<double>(depth.grid.width, depth.grid.height, 1);
+    for (int y = 0; y < depth.grid.height; ++y)
+        for (int x = 0; x < depth.grid.width; ++x)
+            if (depth.is_hole(x, y)) average.solid(x, y) = average.depth(x, y) = 0;
+    return average;
+}
+
+DepthMap stored(const Average& average, const TexelGrid& grid, BitDepth bits) {
+    const bool holes = !average.solid.empty();
+    DepthMap map{grid, bits, Image<float>(grid.width, grid.height), holes};
+    const StoredCode floor = nearest_code(1, bits);
+    for (std::size_t i = 0; i < average.depth.size(); ++i) {
+        // The shares add up to 1 but for rounding, so a mean may leave 0..1 by as much; and one of halves may be a little less.
+        const double solid = holes ? average.solid[i] : 1;
+        const bool is_hole = solid < 0.5 * (1 - 1e-12);
+        StoredCode code = is_hole ? floor : nearest_code(std::clamp(average.depth[i] / solid, 0.0, 1.0), bits);
+        if (holes && !is_hole) code = std::min(code, floor - 1);
         map.level[i] = is_unorm(bits) ? float(code) : stored_value(code, bits);
     }
     return map;
@@ -64,12 +86,12 @@ float rounded_down(double x) {
 } // namespace
 
 std::vector<DepthMap> bake_depth_mips(const DepthMap& depth) {
-    Image<double> mean(depth.grid.width, depth.grid.height);
-    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = double(depth.level[i]) / max_code(depth.bits);
+    Average average = average_of(depth);
     std::vector<DepthMap> levels{depth};
-    while (mean.width() > 1 || mean.height() > 1) {
-        mean = halved(mean);
-        levels.push_back(stored(mean, resized(depth.grid, mean.width(), mean.height()), depth.bits));
+    while (average.depth.width() > 1 || average.depth.height() > 1) {
+        average.depth = halved(average.depth);
+        if (depth.holes) average.solid = halved(average.solid);
+        levels.push_back(stored(average, resized(depth.grid, average.depth.width(), average.depth.height()), depth.bits));
     }
     return levels;
 }
@@ -77,15 +99,15 @@ std::vector<DepthMap> bake_depth_mips(const DepthMap& depth) {
 /// Distances are |(du, a dv)| with the pixel aspect a. Baked with a' instead, they are too short where a' < a: safe. Where
 /// a' > a they are too long by a'/a at most, in either metric, and so are the ratios (distance over height difference):
 ///     r = r' a / a'.
-ConeMap bake_level_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics) {
+ConeMap bake_level_cones(const DepthMap& depth, const ConeOptions& options, ConeStatistics* statistics, SharedPyramids* shared) {
     const double aspect = depth.grid.pixel_aspect;
-    if (is_baked_pixel_aspect(aspect)) return bake_cones(depth, options, statistics);
+    if (is_baked_pixel_aspect(aspect)) return bake_cones(depth, options, statistics, shared);
     DepthMap baked = depth;
     baked.grid.pixel_aspect = std::clamp(aspect, least_pixel_aspect, largest_pixel_aspect);
     const double scale = std::min(1.0, aspect / baked.grid.pixel_aspect);
     ConeOptions wider = options; // so that the cap is met after scaling
     wider.ratio_max = float(options.ratio_max / scale);
-    ConeMap cones = bake_cones(baked, wider, statistics);
+    ConeMap cones = bake_cones(baked, wider, statistics, shared);
     cones.grid = depth.grid;
     cones.options = options;
     for (float& ratio : cones.ratio) ratio = std::min(rounded_down(double(ratio) * scale), options.ratio_max);

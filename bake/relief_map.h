@@ -31,6 +31,7 @@ struct ReliefMapInfo {
     int planes = 0;             ///< kinds "acm", "cone-stack": number of ReliefMap::cone_planes
     int levels = 1;             ///< mip levels in the file; every other fact is that of level 0, filter_delta of all
     bool trilinear = false;     ///< cones hold under a blend of two adjacent levels too (bake/trilinear.h)
+    bool holes = false;         ///< depth 1 is a hole, and only holes are as deep (bake/holes.h)
     Metric metric = Metric::l2;
     ConeEncoding encoding = ConeEncoding::sqrt;
     BitDepth bits = BitDepth::unorm8;
@@ -44,6 +45,7 @@ struct ReliefMapInfo {
     std::string guarantee;      ///< "C" when the cones are conservative for `surface`, "R" when strictly relaxed, else empty
     std::string version;        ///< of reliefbake
     std::string source_hash;    ///< XXH3-128 of the decoded source plane (16 bytes, hex)
+    std::string alpha_hash;     ///< of the plane that holes come from, likewise; empty without one
     std::string argument_hash;  ///< XXH3-128 of the options that fix the result
     std::map<std::string, double> statistics; ///< zero_codes, ratio_mean, depth_min, depth_max ...
 };

@@ -20,6 +20,7 @@ struct Wedge {
 struct ExitRule {
     float least_fall = 0;  ///< only falls steeper than this count; levels per texel
     bool from_top = false; ///< only falls that a ray from height 0 (the top) on the axis could leave through
+    friend bool operator==(const ExitRule&, const ExitRule&) = default;
 };
 
 /// Texels whose cones must hold over the cells around a texel, as offsets: low..high on each axis.

@@ -43,6 +43,7 @@ std::string source_text(const ConeCommandOptions& o) {
     text += "\nnan=" + word_of(nan_words, h.nan);
     if (h.no_data) text += "\nno-data=" + digits(*h.no_data);
     text += "\nscale=" + digits(h.scale) + "\nbias=" + digits(h.bias);
+    if (!o.alpha.from.empty()) text += "\nalpha-threshold=" + digits(o.alpha.threshold);
     text += "\nwrap=" + std::to_string(int(h.wrap_x)) + "," + std::to_string(int(h.wrap_y));
     return text + "\npixel-aspect=" + digits(h.pixel_aspect);
 }

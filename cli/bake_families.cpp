@@ -1,6 +1,5 @@
 #include "cli/bake_families.h"
 
-#include "cli/bake_cone.h"
 #include "cli/choices.h"
 #include "cli/number_options.h"
 #include "cli/mip_options.h"
@@ -22,10 +21,19 @@ void add_layout_options(CLI::App& app, ConeCommandOptions& options) {
 
 } // namespace
 
-void AcmCommand::add_to(CLI::App& app) {
+void ConeCommand::add_own_options(CLI::App& app) {
+    add_search_options(app, options_);
+    add_cone_max_option(app, options_);
+    add_family_options(app, options_.family, true);
+    add_output_options(app, options_);
+    add_encoding_option(app, options_);
+    add_exr_layout_option(app, options_);
+    add_mip_options(app, options_);
+}
+
+void AcmCommand::add_own_options(CLI::App& app) {
     options_.kind = "acm";
     options_.planes = 4;
-    add_input_options(app, options_);
     add_search_options(app, options_);
     add_cone_max_option(app, options_);
     app.add_option("--sectors", options_.planes, "Sectors of azimuth, counted from +u towards +v (default 4)")
@@ -42,25 +50,25 @@ void AcmCommand::add_to(CLI::App& app) {
     add_layout_options(app, options_);
 }
 
-Result<void> AcmCommand::run() {
+Result<ConeCommandOptions> AcmCommand::given() const {
     if (method_ == Method::exact) {
         if (levels_ || similarity_) return fail(ErrorCode::usage, "--levels, --similarity: need --method adaptive");
-        return bake_planned(options_);
+        return options_;
     }
     if (options_.family.family != ConeFamily::conservative || options_.family.lookup != ConeLookup::filtered ||
         options_.cone.metric != Metric::l2)
         return fail(ErrorCode::usage, "--method adaptive: bakes filtered l2 cones as published; leave --kind, --lookup and --metric out");
-    options_.adaptive = AdaptiveOptions();
-    options_.adaptive->sectors = options_.planes;
-    options_.adaptive->levels = levels_.value_or(options_.adaptive->levels);
-    options_.adaptive->similarity = similarity_.value_or(options_.adaptive->similarity);
-    return bake_planned(options_);
+    ConeCommandOptions options = options_;
+    options.adaptive = AdaptiveOptions();
+    options.adaptive->sectors = options_.planes;
+    options.adaptive->levels = levels_.value_or(options.adaptive->levels);
+    options.adaptive->similarity = similarity_.value_or(options.adaptive->similarity);
+    return options;
 }
 
-void ConeNormalCommand::add_to(CLI::App& app) {
+void ConeNormalCommand::add_own_options(CLI::App& app) {
     options_.encoding = ConeEncoding::normal;
     options_.cone.ratio_max = std::numeric_limits<float>::infinity();
-    add_input_options(app, options_);
     add_search_options(app, options_);
     add_family_options(app, options_.family, true);
     add_output_options(app, options_);
@@ -68,12 +76,9 @@ void ConeNormalCommand::add_to(CLI::App& app) {
     add_mip_options(app, options_);
 }
 
-Result<void> ConeNormalCommand::run() { return bake_planned(options_); }
-
-void ConeStackCommand::add_to(CLI::App& app) {
+void ConeStackCommand::add_own_options(CLI::App& app) {
     options_.kind = "cone-stack";
     options_.planes = 4;
-    add_input_options(app, options_);
     add_search_options(app, options_);
     add_cone_max_option(app, options_);
     app.add_option("--levels", options_.planes, "Cones above each texel; the first stands on it (default 4)")->check(CLI::Range(1, 16));
@@ -82,6 +87,12 @@ void ConeStackCommand::add_to(CLI::App& app) {
     add_layout_options(app, options_);
 }
 
-Result<void> ConeStackCommand::run() { return bake_planned(options_); }
+std::unique_ptr<BakeCommand> make_bake_command(const std::string& name) {
+    if (name == "cone") return std::make_unique<ConeCommand>();
+    if (name == "acm") return std::make_unique<AcmCommand>();
+    if (name == "cone-normal") return std::make_unique<ConeNormalCommand>();
+    if (name == "cone-stack") return std::make_unique<ConeStackCommand>();
+    return nullptr;
+}
 
 } // namespace reliefbake

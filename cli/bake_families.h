@@ -1,16 +1,21 @@
 #pragma once
-// The commands that bake other kinds of cones from the same stages: acm, cone-normal, cone-stack.
+// The commands that bake cones, all from the same stages: cone, acm, cone-normal, cone-stack.
 
-#include "cli/command.h"
-#include "cli/cone_options.h"
+#include "cli/bake_command.h"
 
 namespace reliefbake {
 
-/// reliefbake acm IN -o OUT --sectors 4|8: one cone per sector of azimuth (002).
-class AcmCommand : public Command {
+/// reliefbake cone IN -o OUT: one cone a texel, of any family.
+class ConeCommand : public BakeCommand {
   public:
-    void add_to(CLI::App& app) override;
-    Result<void> run() override;
+    void add_own_options(CLI::App& app) override;
+};
+
+/// reliefbake acm IN -o OUT --sectors 4|8: one cone per sector of azimuth (002).
+class AcmCommand : public BakeCommand {
+  public:
+    void add_own_options(CLI::App& app) override;
+    Result<ConeCommandOptions> given() const override;
 
   private:
     enum class Method { exact, adaptive };
@@ -18,27 +23,18 @@ class AcmCommand : public Command {
     Method method_ = Method::exact;
     std::optional<int> levels_;
     std::optional<double> similarity_;
-    ConeCommandOptions options_;
 };
 
 /// reliefbake cone-normal IN -o OUT: `cone` with encoding normal and no cap (001 sec. 3.1), whose code is also a distance.
-class ConeNormalCommand : public Command {
+class ConeNormalCommand : public BakeCommand {
   public:
-    void add_to(CLI::App& app) override;
-    Result<void> run() override;
-
-  private:
-    ConeCommandOptions options_;
+    void add_own_options(CLI::App& app) override;
 };
 
 /// reliefbake cone-stack IN -o OUT --levels K: cones stacked above each texel (001 sec. 3.4, method 1).
-class ConeStackCommand : public Command {
+class ConeStackCommand : public BakeCommand {
   public:
-    void add_to(CLI::App& app) override;
-    Result<void> run() override;
-
-  private:
-    ConeCommandOptions options_;
+    void add_own_options(CLI::App& app) override;
 };
 
 } // namespace reliefbake

@@ -15,13 +15,14 @@ namespace reliefbake {
 
 namespace {
 
-std::vector<ConeMap> bake_all_cones(const std::vector<DepthMap>& depths, const ConeOptions& options, StageClock& clock) {
+std::vector<ConeMap> bake_all_cones(const std::vector<DepthMap>& depths, const ConeOptions& options, SharedPyramids* of_first,
+                                    StageClock& clock) {
     ConeStatistics sum;
     std::vector<ConeMap> cones = clock.time("cone", [&] {
         std::vector<ConeMap> baked;
         for (const DepthMap& depth : depths) {
             ConeStatistics one;
-            baked.push_back(bake_level_cones(depth, options, &one));
+            baked.push_back(bake_level_cones(depth, options, &one, baked.empty() ? of_first : nullptr));
             sum.seconds_near += one.seconds_near;
             sum.seconds_pyramid += one.seconds_pyramid;
             sum.seconds_search += one.seconds_search;
@@ -43,9 +44,9 @@ struct Level {
 };
 
 /// Heights, cones, codes and normals of every level.
-std::vector<Level> bake_levels(const ConePlan& plan, const DepthMap& depth, StageClock& clock) {
-    std::vector<DepthMap> depths = clock.time("mips", [&] { return bake_depth_mips(depth); });
-    std::vector<ConeMap> cones = bake_all_cones(depths, plan.cone, clock);
+std::vector<Level> bake_levels(const ConePlan& plan, const MipBase& base, StageClock& clock) {
+    std::vector<DepthMap> depths = clock.time("mips", [&] { return bake_depth_mips(base.depth); });
+    std::vector<ConeMap> cones = bake_all_cones(depths, plan.cone, base.pyramids, clock);
     if (plan.given.trilinear)
         clock.time("trilinear", [&] {
             narrow_for_trilinear(cones);
@@ -82,8 +83,8 @@ std::string file_of(const ConePlan& plan, int level) {
 
 } // namespace
 
-Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const DepthMap& depth, StageClock& clock) {
-    std::vector<Level> levels = bake_levels(plan, depth, clock);
+Result<MipRun> bake_mips(const ConePlan& plan, const BakeSource& source, const MipBase& base, FileBatch& batch, StageClock& clock) {
+    std::vector<Level> levels = bake_levels(plan, base, clock);
 
     // Say what they are.
     MipRun run;
@@ -92,7 +93,7 @@ Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const 
         infos.push_back(describe_cones(plan, source, level.depth, level.cones, level.codes));
     describe_chain(infos, plan);
     run.info = infos[0];
-    run.warnings = cone_warnings(plan.given, source, levels[0].depth, levels[0].cones, levels[0].codes);
+    run.warnings = cone_warnings(plan.given, source.image, levels[0].depth, levels[0].cones, levels[0].codes);
     for (std::size_t n = 0; n < levels.size(); ++n)
         run.levels.push_back({file_of(plan, int(n)), levels[n].depth.grid, infos[n].statistics});
 
@@ -103,7 +104,7 @@ Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const 
         maps.push_back(assemble_map(infos[n], std::move(level.depth), std::move(level.codes), std::move(level.normals)));
     }
     const Result<void> written =
-        clock.time("write", [&] { return write_map_levels(plan.given.output, maps, plan.cone.threads); });
+        clock.time("write", [&] { return write_map_levels(plan.given.output, maps, batch, plan.cone.threads); });
     if (!written) return tl::unexpected(written.error());
     return run;
 }

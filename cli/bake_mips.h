@@ -5,6 +5,8 @@
 #include "cli/cone_options.h"
 #include "cli/cone_report.h"
 #include "cli/stage_clock.h"
+#include "cli/stored_height.h"
+#include "formats/atomic_file.h"
 
 #include <string>
 #include <vector>
@@ -18,8 +20,14 @@ struct MipRun {
     std::vector<std::string> warnings;
 };
 
-/// Bakes every level of the chain of `depth` and writes it to the plan's output.
+/// Level 0, and the pyramids that other bakes of it may have made.
+struct MipBase {
+    const DepthMap& depth;
+    SharedPyramids* pyramids;
+};
+
+/// Bakes every level of the chain of `base` and adds it to the batch, for the plan's output.
 /// Errors: those of write_map_levels.
-Result<MipRun> bake_mips(const ConePlan& plan, const SourceImage& source, const DepthMap& depth, StageClock& clock);
+Result<MipRun> bake_mips(const ConePlan& plan, const BakeSource& source, const MipBase& base, FileBatch& batch, StageClock& clock);
 
 } // namespace reliefbake

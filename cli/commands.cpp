@@ -1,10 +1,10 @@
 #include "cli/command.h"
 
 #include "cli/bake_bump.h"
-#include "cli/bake_cone.h"
 #include "cli/bake_families.h"
 #include "cli/bake_quadric.h"
 #include "cli/bake_shape.h"
+#include "cli/bench_also.h"
 #include "cli/bench_cone.h"
 #include "cli/bench_dynamic.h"
 #include "cli/bench_peer.h"
@@ -31,6 +31,7 @@ constexpr CommandEntry all_commands[] = {
     {"bump", "Bake a height map into derivatives, normals or horizons, for shading", make<BumpCommand>},
     {"quadric", "Bake a mesh's curvature into its vertices, for curved relief rendering", make<QuadricCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
+    {"bench also", "Time several maps of one source, apart and in one run (--also)", make<BenchAlsoCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
     {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},

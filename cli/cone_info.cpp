@@ -24,11 +24,15 @@ std::map<std::string, double> statistics_of(const DepthMap& depth, const std::ve
         least = std::min(least, *std::min_element(ratio.begin(), ratio.end()));
         zero_codes += double(encoded[k].zero_codes);
     }
-    return {{"depth_min", double(*shallow) / max_code(depth.bits)},
-            {"depth_max", double(*deep) / max_code(depth.bits)},
-            {"ratio_min", shortest_decimal(least)},
-            {"ratio_mean", sum / texels},
-            {"zero_codes", zero_codes}};
+    std::map<std::string, double> statistics = {{"depth_min", double(*shallow) / max_code(depth.bits)},
+                                                {"depth_max", double(*deep) / max_code(depth.bits)},
+                                                {"ratio_min", shortest_decimal(least)},
+                                                {"ratio_mean", sum / texels},
+                                                {"zero_codes", zero_codes}};
+    if (!depth.holes) return statistics;
+    const HoleCount holes = count_holes(depth);
+    statistics["hole_texels"] = double(holes.texels), statistics["open_cells"] = double(holes.cells);
+    return statistics;
 }
 
 /// C: no surface in a cone. R: a step from outside ends with one crossing behind it at most. Others promise nothing.
@@ -39,7 +43,7 @@ std::string guarantee_of(const ConeOptions& options) {
 
 } // namespace
 
-ReliefMapInfo describe_cones(const ConePlan& plan, const SourceImage& source, const DepthMap& depth,
+ReliefMapInfo describe_cones(const ConePlan& plan, const BakeSource& source, const DepthMap& depth,
                              const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded) {
     const ConeOptions& options = cones.front().options;
     ReliefMapInfo info;
@@ -58,11 +62,13 @@ ReliefMapInfo describe_cones(const ConePlan& plan, const SourceImage& source, co
     info.normal_y = plan.given.normal_y;
     info.cone_max = encoded.front().ratio_max;
     info.depth_scale = plan.depth_scale;
+    info.holes = depth.holes;
     info.filter_delta = filter_delta(depth);
     info.tolerance = shortest_decimal(options.tolerance);
     info.guarantee = plan.given.adaptive ? std::string() : guarantee_of(options);
     info.version = version();
-    info.source_hash = source.pixel_hash;
+    info.source_hash = source.image.pixel_hash;
+    info.alpha_hash = source.alpha_hash;
     info.argument_hash = plan.argument_hash;
     info.statistics = statistics_of(depth, cones, encoded);
     return info;

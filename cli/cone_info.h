@@ -4,12 +4,12 @@
 #include "bake/cone.h"
 #include "bake/relief_map.h"
 #include "cli/cone_options.h"
-#include "formats/read_image.h"
+#include "cli/stored_height.h"
 
 namespace reliefbake {
 
-/// Statistics: depth_min, depth_max, ratio_min, ratio_mean (before encoding), zero_codes.
-ReliefMapInfo describe_cones(const ConePlan& plan, const SourceImage& source, const DepthMap& depth,
+/// Statistics: depth_min, depth_max, ratio_min, ratio_mean (before encoding), zero_codes; with holes hole_texels, open_cells.
+ReliefMapInfo describe_cones(const ConePlan& plan, const BakeSource& source, const DepthMap& depth,
                              const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded);
 
 } // namespace reliefbake

@@ -52,7 +52,6 @@ void add_search_options(CLI::App& app, ConeCommandOptions& o) {
                "How horizontal distance is measured (default l2)");
     add_number(app, "--tolerance", o.cone.tolerance, fraction_number,
                "How much narrower than exact a cone may be, relative, for speed (default 0.001)");
-    add_thread_option(app, o.cone.threads);
 }
 
 void add_cone_max_option(CLI::App& app, ConeCommandOptions& o) {
@@ -80,9 +79,6 @@ void add_output_options(CLI::App& app, ConeCommandOptions& o) {
         ->type_name("OUT");
     add_choice(app, "--bits", o.bits, bits_words, "Depth of the channels (default 16; exr: float; tga: 8)");
     add_choice(app, "--normal-y", o.normal_y, normal_y_words, "Direction of the normals' y (default gl: up)");
-    CLI::Option* json =
-        app.add_flag("--json", o.json, "Print one result object (cli/schema/cone.schema.json)");
-    app.add_flag("--quiet", o.quiet, "Print nothing unless something is wrong")->excludes(json);
 }
 
 void add_input_options(CLI::App& app, ConeCommandOptions& options) {
@@ -92,15 +88,19 @@ void add_input_options(CLI::App& app, ConeCommandOptions& options) {
     add_physical_options(app, options);
 }
 
-void add_cone_options(CLI::App& app, ConeCommandOptions& options) {
-    add_input_options(app, options);
-    add_search_options(app, options);
-    add_cone_max_option(app, options);
-    add_family_options(app, options.family, true);
-    add_output_options(app, options);
-    add_encoding_option(app, options);
-    add_exr_layout_option(app, options);
-    add_mip_options(app, options);
+void add_run_options(CLI::App& app, ConeCommandOptions& o) {
+    add_input_options(app, o);
+    add_alpha_options(app, o.alpha);
+    app.option_defaults()->group("Run");
+    add_thread_option(app, o.cone.threads);
+    CLI::Option* json = app.add_flag("--json", o.json, "Print one result object (cli/schema/cone.schema.json)");
+    app.add_flag("--quiet", o.quiet, "Print nothing unless something is wrong")->excludes(json);
+}
+
+void copy_run_options(const ConeCommandOptions& from, ConeCommandOptions& to) {
+    to.input = from.input, to.read = from.read, to.alpha = from.alpha, to.height = from.height;
+    to.depth_uv = from.depth_uv, to.size_metres = from.size_metres, to.depth_metres = from.depth_metres;
+    to.cone.threads = from.cone.threads, to.json = from.json, to.quiet = from.quiet;
 }
 
 } // namespace reliefbake

@@ -6,6 +6,7 @@
 #include "bake/error.h"
 #include "bake/height_field.h"
 #include "bake/relief_map.h"
+#include "cli/alpha_options.h"
 #include "cli/family_options.h"
 #include "formats/read_image.h"
 
@@ -15,6 +16,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace reliefbake {
 
@@ -23,6 +25,7 @@ struct ConeCommandOptions {
     std::string input;    ///< IN
     std::string output;   ///< -o, --output
     ReadOptions read;     ///< --channel, --max-bytes
+    AlphaOptions alpha;   ///< --alpha --alpha-threshold
     HeightOptions height; ///< --input --range --nan --no-data --scale --bias --wrap --pixel-aspect
     std::string kind = "cone"; ///< what the command bakes: "cone", "acm", "cone-stack"
     int planes = 1;            ///< sectors of an acm (--sectors), levels of a cone-stack (--levels)
@@ -53,17 +56,22 @@ struct ConePlan {
     std::string argument_hash; ///< of the options that fix the result
 };
 
-void add_cone_options(CLI::App& app, ConeCommandOptions& options);
-
-// Its groups, for the commands that share some of them.
+// Groups of options, for the commands that share some of them.
 void add_input_options(CLI::App& app, ConeCommandOptions& options);  ///< IN, Source, Proportions
-void add_search_options(CLI::App& app, ConeCommandOptions& options); ///< --surface --metric --tolerance --threads
+void add_run_options(CLI::App& app, ConeCommandOptions& options);    ///< those, --alpha, --threads --json --quiet: the same for all maps of a run
+void add_search_options(CLI::App& app, ConeCommandOptions& options); ///< --surface --metric --tolerance
 void add_cone_max_option(CLI::App& app, ConeCommandOptions& options);
-void add_output_options(CLI::App& app, ConeCommandOptions& options); ///< -o --bits --normal-y --json --quiet
+void add_output_options(CLI::App& app, ConeCommandOptions& options); ///< -o --bits --normal-y
 void add_encoding_option(CLI::App& app, ConeCommandOptions& options);
 void add_exr_layout_option(CLI::App& app, ConeCommandOptions& options);
 
+/// Copies what add_run_options sets.
+void copy_run_options(const ConeCommandOptions& from, ConeCommandOptions& to);
+
 /// Refuses (usage) options that do not fit each other or the output's format.
 Result<ConePlan> plan_cone(const ConeCommandOptions& options);
+
+/// Refuses (usage) files that two plans of a run would write, also where only their case differs, and those that are its input.
+Result<void> validate_outputs(const std::vector<ConePlan>& plans);
 
 } // namespace reliefbake

@@ -34,26 +34,30 @@ json level_list(const std::vector<MipReport>& levels) {
     return list;
 }
 
-json cone_result(const ConeRun& run) {
+/// What differs between the maps of a run.
+void add_map_result(const ConeRun& run, json& whole) {
+    json map = to_json(run.info, run.grid);
     json seconds = json::object();
     for (const auto& [stage, duration] : run.seconds)
         seconds[stage] = duration;
-    const json map = to_json(run.info, run.grid);
-    json result = height_result(run.plan.given, run.source, run.height, run.grid);
-    result["map"] = map;
-    result["statistics"] = map["statistics"];
-    result["warnings"] = run.warnings;
-    result["threads"] = run.plan.cone.threads;
-    result["seconds"] = seconds;
-    if (!run.levels.empty()) result["levels"] = level_list(run.levels);
-    return result;
+    whole["output"] = run.plan.given.output;
+    whole["statistics"] = map["statistics"];
+    whole["map"] = std::move(map);
+    whole["warnings"] = run.warnings;
+    whole["seconds"] = seconds;
+    if (!run.levels.empty()) whole["levels"] = level_list(run.levels);
 }
 
 } // namespace
 
-std::string cone_result_text(const ConeRun& run) {
+std::string cone_result_text(const std::vector<ConeRun>& runs) {
+    const ConeRun& first = runs.front();
+    json result = height_result(first.plan.given, first.source, first.height, first.grid);
+    result["threads"] = first.plan.cone.threads;
+    add_map_result(first, result);
+    for (std::size_t k = 1; k < runs.size(); ++k) add_map_result(runs[k], result["also"].emplace_back());
     // A file's name need not be UTF-8; JSON must be.
-    return cone_result(run).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+    return result.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 std::string cone_summary(const ConeRun& run) {
@@ -64,6 +68,8 @@ std::string cone_summary(const ConeRun& run) {
     text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
                    word_of(encoding_words, run.info.encoding).c_str(), storage_words(run.info.bits),
                    statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
+    if (run.info.holes)
+        text += format("  %.0f texels are holes, %.0f cells open\n", statistics.at("hole_texels"), statistics.at("open_cells"));
     if (!run.levels.empty())
         text += format("  %zu mip levels, %s\n", run.levels.size(),
                        run.info.trilinear ? "safe to blend" : "one at a time (nearest mip)");

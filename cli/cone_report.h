@@ -32,8 +32,8 @@ struct ConeRun {
     std::vector<MipReport> levels; ///< with --mips: all of them, level 0 first
 };
 
-/// The object of --json: cli/schema/cone.schema.json.
-std::string cone_result_text(const ConeRun& run);
+/// The object of --json: cli/schema/cone.schema.json. The first map's, and in `also` the others'.
+std::string cone_result_text(const std::vector<ConeRun>& runs);
 
 /// A few lines for a person.
 std::string cone_summary(const ConeRun& run);

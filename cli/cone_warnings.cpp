@@ -28,6 +28,16 @@ std::string better_codes(const DepthMap& depth, const std::vector<ConeMap>& maps
     return "--encoding " + better + " loses " + std::to_string(fewest);
 }
 
+/// Alphas that most likely are not what was meant.
+std::string holes_warning(const ConeCommandOptions& given, const DepthMap& depth) {
+    const HoleCount holes = count_holes(depth);
+    const std::string start = "--alpha " + given.alpha.from + ": ";
+    if (holes.texels == 0) return start + "no texel lies below the threshold: the map has no hole";
+    if (holes.texels == depth.level.size()) return start + "every texel lies below the threshold: all of the map is a hole";
+    if (holes.cells == 0) return start + "no hole is two texels wide both ways: all are pits, through which no ray falls";
+    return {};
+}
+
 } // namespace
 
 std::vector<std::string> cone_warnings(const ConeCommandOptions& given, const SourceImage& source,
@@ -41,6 +51,10 @@ std::vector<std::string> cone_warnings(const ConeCommandOptions& given, const So
     if (format == MapFormat::targa || format == MapFormat::dds)
         warnings.push_back(given.output + ": " + (format == MapFormat::dds ? "DDS" : "TGA") +
                            " keeps no metadata; whoever reads the map must know what it means");
+    if (depth.holes) {
+        const std::string words = holes_warning(given, depth);
+        if (!words.empty()) warnings.push_back(words);
+    }
     std::size_t zero_codes = 0;
     for (const EncodedConeMap& map : encoded) zero_codes += map.zero_codes;
     if (zero_codes > 0)

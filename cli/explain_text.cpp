@@ -92,6 +92,9 @@ std::string channel_lines(const ReliefMap& map) {
     const std::string depth = several ? (named ? "relief.depth" : "depth") : channels[depth_plane];
     if (several || !map.cone.empty()) text += cone_lines(info, map.grid, cone_word(info), depth);
     if (holds_relief(info) && !map.depth.empty()) text += "  depth   " + depth + "; 0 is the top (the polygon), 1 the floor.\n";
+    if (info.holes)
+        text += "Depth 1, the largest code, is a hole: where the four texels around a point have it there is no floor.\n"
+                "Discard a ray that comes down to depth 1 there; all else of the filtered depth is solid.\n";
     return text + family_lines(info);
 }
 

@@ -38,6 +38,7 @@ void add_map_hints(CLI::App& app, MapHints& hints) {
         ->check(check_channel_order)
         ->type_name("LETTERS");
     app.add_flag("--alpha-is-height", hints.alpha_is_height, "The depth channel holds height");
+    app.add_flag("--holes", hints.holes, "Depth 1 is a hole through which rays fall");
     app.add_option("--relief", hints.relief,
                    "Cone map of the same heights: depth and normals for a map that holds cones alone")
         ->type_name("FILE");

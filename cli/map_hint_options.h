@@ -10,7 +10,7 @@
 namespace reliefbake {
 
 /// Adds --encoding --metric --surface --wrap --cone-max --normal-y --depth-uv --channel-order
-/// --alpha-is-height --relief --level --max-bytes; those given win over the file's metadata.
+/// --alpha-is-height --holes --relief --level --max-bytes; those given win over the file's metadata.
 void add_map_hints(CLI::App& app, MapHints& hints);
 
 /// Refuses (usage) hints, but the byte budget, for a file of a kind that always says what it means.

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace reliefbake {
 
@@ -17,6 +18,8 @@ namespace fs = std::filesystem;
 
 Result<void> validate_output(const ConeCommandOptions& options) {
     if (Result<void> other = validate_not_input(options.input, options.output); !other) return other;
+    for (const std::string& output : {options.output, options.relief_output})
+        if (Result<void> other = validate_not_input(options.alpha.from, output); !other) return other;
     if (!options.relief_output.empty() && fs::path(options.relief_output).lexically_normal() == fs::path(options.output).lexically_normal())
         return fail(ErrorCode::usage, "--relief: is the output itself; choose another name");
     if (options.kind == "cone" && options.layout && extension_of(options.output) != ".exr")
@@ -66,7 +69,36 @@ Result<void> validate_relief(const ConePlan& plan) {
     });
 }
 
+/// A name by which two files are told apart, links followed, without regard to the case of its letters.
+std::string identity_of(const fs::path& file) {
+    std::error_code ignored;
+    std::string name = fs::weakly_canonical(fs::absolute(file), ignored).string();
+    if (name.empty()) name = file.lexically_normal().string();
+    for (char& c : name)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return name;
+}
+
+std::vector<fs::path> files_of(const ConePlan& plan) {
+    std::vector<fs::path> files = map_files(plan.given.output, layout_facts(plan), plan.given.mips);
+    if (!plan.given.relief_output.empty()) files.push_back(plan.given.relief_output);
+    return files;
+}
+
 } // namespace
+
+Result<void> validate_outputs(const std::vector<ConePlan>& plans) {
+    std::map<std::string, std::size_t> seen; // and by which plan
+    for (std::size_t k = 0; k < plans.size(); ++k)
+        for (const fs::path& file : files_of(plans[k])) {
+            for (const std::string& input : {plans[k].given.input, plans[k].given.alpha.from})
+                if (Result<void> other = validate_not_input(input, file.string()); !other) return other;
+            const auto [known, is_new] = seen.emplace(identity_of(file), k);
+            if (!is_new && known->second != k)
+                return fail(ErrorCode::usage, file.string() + ": two maps of this run would be written to it; choose another name");
+        }
+    return {};
+}
 
 Result<ConePlan> plan_cone(const ConeCommandOptions& options) {
     ConePlan plan;

@@ -23,17 +23,30 @@ Result<HeightOptions> with_no_data(HeightOptions options, const SourceImage& sou
 
 } // namespace
 
-Result<StoredHeight> read_stored_height(const ConeCommandOptions& given, BitDepth bits, StageClock& clock) {
-    Result<SourceImage> source = clock.time("read", [&] { return read_image(given.input, given.read); });
-    if (!source) return tl::unexpected(source.error());
-    const Result<HeightOptions> options = with_no_data(given.height, *source, given.input);
+Result<BakeSource> read_source(const ConeCommandOptions& given, StageClock& clock) {
+    Result<SourceImage> image = clock.time("read", [&] { return read_image(given.input, given.read); });
+    if (!image) return tl::unexpected(image.error());
+    const Result<HeightOptions> options = with_no_data(given.height, *image, given.input);
     if (!options) return tl::unexpected(options.error());
-    const Result<CheckedHeight> height =
-        clock.time("height", [&] { return make_height_field(source->plane, source->is_integer, *options, given.input); });
+    Alpha alpha;
+    if (!given.alpha.from.empty()) {
+        Result<Alpha> read = clock.time("alpha", [&] { return read_alpha(given.alpha, given.input, *image, given.read.max_bytes); });
+        if (!read) return tl::unexpected(read.error());
+        alpha = std::move(*read);
+    }
+    Result<CheckedHeight> height = clock.time("height", [&] {
+        return make_height_field(image->plane, image->is_integer, *options, given.input, std::move(alpha.holes));
+    });
     if (!height) return tl::unexpected(height.error());
-    source->plane = {};
-    DepthMap depth = clock.time("quantise", [&] { return quantise_depth(height->field, bits); });
-    return StoredHeight{std::move(*source), height->report, std::move(depth)};
+    image->plane = {};
+    return BakeSource{std::move(*image), std::move(alpha.pixel_hash), height->report, std::move(height->field)};
+}
+
+Result<StoredHeight> read_stored_height(const ConeCommandOptions& given, BitDepth bits, StageClock& clock) {
+    Result<BakeSource> source = read_source(given, clock);
+    if (!source) return tl::unexpected(source.error());
+    DepthMap depth = clock.time("quantise", [&] { return quantise_depth(*source->field, bits); });
+    return StoredHeight{std::move(source->image), source->report, std::move(depth)};
 }
 
 } // namespace reliefbake

@@ -9,6 +9,7 @@
 #include "formats/bump_file.h"
 #include "formats/shape_file.h"
 #include "formats/write_image.h"
+#include "shaders-reference/measure/stored_depth.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -77,8 +78,11 @@ void VerifyCommand::add_to(CLI::App& app) {
 Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
     const Result<SourceImage> image = read_image(options_.source, options_.read);
     if (!image) return tl::unexpected(image.error());
+    // The map says itself where its holes are; another size is told below.
+    HoleMask holes = map.depth.empty() ? HoleMask() : stored_holes(stored_depth(map));
+    if (holes.width() != image->plane.width() || holes.height() != image->plane.height()) holes = {};
     const Result<CheckedHeight> height =
-        make_height_field(image->plane, image->is_integer, options_.height, options_.source);
+        make_height_field(image->plane, image->is_integer, options_.height, options_.source, std::move(holes));
     if (!height) return tl::unexpected(height.error());
     return quantise_depth(height->field, map.info.bits);
 }

@@ -33,6 +33,10 @@ std::string verify_text(const VerifyReport& report) {
     for (const ViewReport& view : report.views)
         text += rays_line(line("%2.0f deg @ %3.0f", view.angle, view.azimuth).c_str(), view.comparison);
     text += rays_line("all", report.total);
+    if (report.has_holes)
+        text += line("holes: %llu rays fell through; %llu of them where there is relief; %llu others stopped where there is none\n",
+                     static_cast<unsigned long long>(report.total.holes), static_cast<unsigned long long>(report.total.pierced),
+                     static_cast<unsigned long long>(report.total.filled));
     if (report.cones.points == 0) text += "cones: not checked at points\n";
     else
         text += line("cones: %llu of %llu points violated; worst cone reaches %.6f of its limit at u %.6f, v %.6f\n",

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Names of temporaries that exist, where a signal handler can read them: no locks, no allocation.
-constexpr int max_writers = 64;
+constexpr int max_writers = 1024;
 struct Slot {
     std::atomic<bool> taken{false};
     std::atomic<bool> armed{false};
@@ -34,8 +34,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 /// Keeps one temporary's name known to remove_temporaries_on_signal, and removes the file unless it was renamed.
 class Temporary {
   public:
+    /// There must be a free slot: free_slots was acquired.
     Temporary() {
-        free_slots.acquire();
         for (Slot& slot : slots)
             if (!slot.taken.exchange(true)) {
                 slot_ = &slot;
@@ -115,30 +115,59 @@ Result<fs::path> target_of(const fs::path& path) {
 
 } // namespace
 
-Result<void> write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-    const Result<fs::path> target = target_of(path);
-    if (!target) return tl::unexpected(target.error());
-    const fs::path directory = target->has_parent_path() ? target->parent_path() : fs::path(".");
-
-    // Create the temporary beside its final name: rename works within one file system only.
+struct FileBatch::Staged {
+    fs::path path, target, directory;
     Temporary temporary;
-    UniqueFd fd = temporary.create(directory);
-    if (!fd) {
-        const bool full = errno == ENOSPC || errno == EDQUOT;
-        return system_error(full ? ErrorCode::write_failed : ErrorCode::cannot_create, path, "cannot create", errno);
+
+    /// Creates the temporary beside its final name (rename works within one file system only), writes, and believes nothing
+    /// before the disk says so.
+    Result<void> write(std::span<const std::byte> bytes) {
+        UniqueFd fd = temporary.create(directory);
+        if (!fd) {
+            const bool full = errno == ENOSPC || errno == EDQUOT;
+            return system_error(full ? ErrorCode::write_failed : ErrorCode::cannot_create, path, "cannot create", errno);
+        }
+        if (!write_all(fd.get(), bytes) || ::fsync(fd.get()) != 0 || !fd.reset())
+            return system_error(ErrorCode::write_failed, path, "writing stopped half-way, nothing was left behind", errno);
+        return {};
     }
 
-    // Write, and believe nothing before the disk says so.
-    if (!write_all(fd.get(), bytes) || ::fsync(fd.get()) != 0 || !fd.reset())
-        return system_error(ErrorCode::write_failed, path, "writing stopped half-way, nothing was left behind", errno);
+    Result<void> publish() {
+        if (::rename(temporary.path(), target.c_str()) != 0)
+            return system_error(ErrorCode::write_failed, path, "cannot rename the finished temporary", errno);
+        temporary.release();
+        if (!sync_directory(directory))
+            return system_error(ErrorCode::write_failed, path, "written, but its directory cannot be synchronised", errno);
+        return {};
+    }
+};
 
-    // Publish.
-    if (::rename(temporary.path(), target->c_str()) != 0)
-        return system_error(ErrorCode::write_failed, path, "cannot rename the finished temporary", errno);
-    temporary.release();
-    if (!sync_directory(directory))
-        return system_error(ErrorCode::write_failed, path, "written, but its directory cannot be synchronised", errno);
+FileBatch::FileBatch() = default;
+FileBatch::~FileBatch() = default;
+
+Result<void> FileBatch::add(const fs::path& path, std::span<const std::byte> bytes) {
+    const Result<fs::path> target = target_of(path);
+    if (!target) return tl::unexpected(target.error());
+    // A batch that waited for slots of its own would wait for ever.
+    if (files_.empty()) free_slots.acquire();
+    else if (!free_slots.try_acquire()) return fail(ErrorCode::write_failed, path.string() + ": too many files at once");
+    const fs::path directory = target->has_parent_path() ? target->parent_path() : fs::path(".");
+    files_.push_back(std::unique_ptr<Staged>(new Staged{path, *target, directory, {}}));
+    const Result<void> written = files_.back()->write(bytes);
+    if (!written) files_.pop_back(); // never to be published
+    return written;
+}
+
+Result<void> FileBatch::publish() {
+    for (const std::unique_ptr<Staged>& file : files_)
+        if (Result<void> published = file->publish(); !published) return published;
+    files_.clear();
     return {};
+}
+
+Result<void> write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+    FileBatch batch;
+    return batch.add(path, bytes).and_then([&] { return batch.publish(); });
 }
 
 void remove_temporaries_on_signal() noexcept {

@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace reliefbake {
 
@@ -14,6 +16,27 @@ namespace reliefbake {
 /// Errors: cannot_create (no such directory, no permission, not a regular file), write_failed (disk full, ...).
 /// Only SIGKILL and a power cut leave a temporary behind: .reliefbake-PID-N.tmp, safe to delete.
 Result<void> write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Files that appear together: each lies complete in a temporary beside its final name until all are published. Without that,
+/// nothing has changed and the temporaries are gone.
+class FileBatch {
+  public:
+    FileBatch();
+    ~FileBatch();
+    FileBatch(const FileBatch&) = delete;
+    FileBatch& operator=(const FileBatch&) = delete;
+
+    /// Errors as write_file_atomically; write_failed, too, for more files than can be kept track of (1024 a process).
+    Result<void> add(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+    /// Renames all, one right after the other, in the order of `add`. Each file is whole at any time; the one step that can still
+    /// fail is a rename (write_failed), and files before it stay.
+    Result<void> publish();
+
+  private:
+    struct Staged;
+    std::vector<std::unique_ptr<Staged>> files_;
+};
 
 /// Removes temporaries of writes in progress, which then fail; async-signal-safe. The last call of a SIGINT or SIGTERM
 /// handler before _exit.

@@ -23,6 +23,7 @@ void apply_hints(const MapHints& hints, MapMetadata& metadata) {
     override_fact(metadata.normal_y, hints.normal_y, "normal_y", metadata);
     override_fact(metadata.cone_max, hints.cone_max, "cone_max", metadata);
     override_fact(metadata.depth_scale, hints.depth_scale, "depth_scale", metadata);
+    if (hints.holes) override_fact(metadata.holes, std::optional(true), "holes", metadata);
     if (hints.wrap_x) metadata.wrap_x = hints.wrap_x;
     if (hints.wrap_y) metadata.wrap_y = hints.wrap_y;
     if (metadata.wrap_x && metadata.wrap_y) std::erase(metadata.bad_keys, "wrap");
@@ -102,6 +103,7 @@ ReliefMapInfo info_of(const MapMetadata& metadata, BitDepth bits) {
     info.planes = has_cone_planes(info.kind) ? metadata.planes.value_or(0) : 0;
     info.levels = metadata.levels.value_or(info.levels);
     info.trilinear = metadata.trilinear.value_or(info.trilinear);
+    info.holes = metadata.holes.value_or(info.holes);
     info.normal_y = metadata.normal_y.value_or(info.normal_y);
     info.cone_max = metadata.cone_max.value_or(std::numeric_limits<float>::infinity());
     info.depth_scale = metadata.depth_scale.value_or(info.depth_scale);
@@ -110,6 +112,7 @@ ReliefMapInfo info_of(const MapMetadata& metadata, BitDepth bits) {
     info.guarantee = metadata.guarantee;
     info.version = metadata.version;
     info.source_hash = metadata.source_hash;
+    info.alpha_hash = metadata.alpha_hash;
     info.argument_hash = metadata.argument_hash;
     info.statistics = metadata.statistics;
     return info;

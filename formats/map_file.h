@@ -3,6 +3,7 @@
 
 #include "bake/error.h"
 #include "bake/relief_map.h"
+#include "formats/atomic_file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -22,9 +23,11 @@ Result<void> check_map_format(const std::filesystem::path& path, const ReliefMap
 /// Encodes in memory and writes atomically: `path` is complete, or what it was before. Same map, same bytes, on any day
 /// (SOURCE_DATE_EPOCH is honoured). Half stores what the channels hold when a half can, else the nearest half.
 /// TGA keeps no metadata: reading it back needs every hint. Layout `pair`: two files, `path` and one whose stem ends in _b,
-/// one after the other. A map of kind acm or cone-stack in any layout but `named` leaves out depth and normals. `threads` compress an EXR; they change no byte.
+/// which appear together. A map of kind acm or cone-stack in any layout but `named` leaves out depth and normals. `threads` compress an EXR; they change no byte.
 /// Errors: usage, cannot_create, write_failed, internal.
 Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map, int threads = 1);
+/// The same into a batch: nothing appears before it is published.
+Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map, FileBatch& batch, int threads);
 
 /// Whether the format, by the file's extension, keeps mip levels in one file: exr, tif, dds, ktx2.
 bool holds_mips(const std::filesystem::path& path);
@@ -36,6 +39,11 @@ std::filesystem::path mip_path(const std::filesystem::path& path, int level);
 /// metadata is that of level 0, or in numbered files of their own. Layout `side` is refused (usage): halves side by side
 /// would meet in the smaller levels.
 Result<void> write_map_levels(const std::filesystem::path& path, std::span<const ReliefMap> levels, int threads = 1);
+Result<void> write_map_levels(const std::filesystem::path& path, std::span<const ReliefMap> levels, FileBatch& batch, int threads);
+
+/// The names of the files that write_map, or with `mips` write_map_levels, may give a map of such facts; of numbered levels as many
+/// as the largest map has.
+std::vector<std::filesystem::path> map_files(const std::filesystem::path& path, const ReliefMapInfo& info, bool mips);
 
 /// What to assume where a file does not say (maps baked by others), or to insist on. Given values win over metadata.
 struct MapHints {
@@ -49,6 +57,7 @@ struct MapHints {
     std::string channel_order = ""; ///< e.g. "RGBA" = nx, ny, cone, depth; "--BA": letters name the file's channels
                                     ///< that hold nx, ny, cone, depth; '-' = absent. Empty: as the metadata says
     bool alpha_is_height = false;   ///< the depth channel holds height
+    bool holes = false;             ///< depth 1 is a hole
     std::filesystem::path relief;   ///< a map of kind cone that holds the depth and the normals of a map without them
     int level = 0;                  ///< mip level to read, of an EXR or TIFF that has some; 0 the largest
     bool cones_suffice = false;     ///< without `relief`, leave depth and normals empty instead of refusing (explain)

@@ -66,6 +66,7 @@ void read_family(const Reader& reader, MapMetadata& metadata) {
     metadata.planes = read_count(reader, "planes", 0, 64);
     metadata.levels = read_count(reader, "levels", 1, 64);
     metadata.trilinear = reader.flag("trilinear");
+    metadata.holes = reader.flag("holes");
 }
 
 /// Only what can differ from the meaning of a file without the key.
@@ -80,6 +81,8 @@ void write_family(const ReliefMapInfo& info, json& facts) {
     if (has_cone_planes(info.kind)) facts["planes"] = info.planes;
     if (info.levels > 1) facts["levels"] = info.levels;
     if (info.trilinear) facts["trilinear"] = true;
+    if (info.holes) facts["holes"] = true;
+    if (!info.alpha_hash.empty()) facts["alpha_hash"] = info.alpha_hash;
 }
 
 std::optional<float> read_cone_max(const Reader& reader) {
@@ -140,6 +143,7 @@ MapMetadata map_metadata_from(const std::string& text) {
     metadata.guarantee = reader.text("guarantee").value_or("");
     metadata.version = reader.text("version").value_or("");
     metadata.source_hash = reader.text("source_hash").value_or("");
+    metadata.alpha_hash = reader.text("alpha_hash").value_or("");
     metadata.argument_hash = reader.text("argument_hash").value_or("");
     read_wrap(reader, metadata);
     read_channels(reader, metadata);

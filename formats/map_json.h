@@ -27,12 +27,12 @@ struct MapMetadata {
     std::optional<ConeLookup> lookup;
     std::optional<double> relaxed_slope, hybrid_delta;
     std::optional<int> planes, levels;
-    std::optional<bool> trilinear;
+    std::optional<bool> trilinear, holes;
     std::optional<Wrap> wrap_x, wrap_y;
     std::optional<float> cone_max;
     std::optional<double> depth_scale, pixel_aspect, filter_delta, tolerance;
     std::optional<std::vector<std::string>> channels; ///< names of the file's channels; of kind cone in the order nx, ny, cone, depth
-    std::string guarantee, version, source_hash, argument_hash;
+    std::string guarantee, version, source_hash, alpha_hash, argument_hash;
     std::map<std::string, double> statistics;
     /// Keys that are there and make no sense (wrong type, not finite, out of range, unknown word); such facts are empty.
     std::vector<std::string> bad_keys;

@@ -62,7 +62,8 @@ Result<SourceImage> read_image(const std::filesystem::path& path, const ReadOpti
     Result<DecodeSession> session = DecodeSession::open(path, options.max_bytes, 1);
     if (!session) return tl::unexpected(session.error());
     const ImageClaims& claims = session->claims();
-    const Result<Selection> selection = select(claims.channels, options.channel, path.string());
+    const bool take_alpha = options.prefer_alpha && options.channel.empty() && index_of(claims.channels, "A") >= 0;
+    const Result<Selection> selection = select(claims.channels, take_alpha ? "A" : options.channel, path.string());
     if (!selection) return tl::unexpected(selection.error());
 
     SourceImage image;

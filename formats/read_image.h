@@ -19,6 +19,7 @@ struct ReadOptions {
     std::string channel;
     /// Budget for the decoded image in bytes; 0: 1 GiB, and 1000 x the file's size above 64 MiB (--max-bytes)
     std::uint64_t max_bytes = 0;
+    bool prefer_alpha = false; ///< without `channel`, A where there is one, before luminance
 };
 
 struct SourceImage {

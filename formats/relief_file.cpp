@@ -20,6 +20,7 @@ std::string difference(const ReliefMap& map, const ReliefMap& relief) {
     if (map.info.bits != relief.info.bits) return "has other bits than the cones, so its stored heights are others";
     const bool known = !map.info.source_hash.empty() && !relief.info.source_hash.empty();
     if (known && map.info.source_hash != relief.info.source_hash) return "was baked from other heights than the cones";
+    if (map.info.holes != relief.info.holes || map.info.alpha_hash != relief.info.alpha_hash) return "has other holes than the cones";
     return "";
 }
 
@@ -37,6 +38,7 @@ Result<void> take_relief(ReliefMap& map, const std::filesystem::path& path, cons
     MapHints relief_hints;
     relief_hints.max_bytes = hints.max_bytes;
     relief_hints.level = hints.level;
+    relief_hints.holes = hints.holes;
     relief_hints.cones_suffice = true; // the kind is judged below, in clearer words
     Result<ReliefMap> relief = read_map(hints.relief, relief_hints);
     if (!relief) return tl::unexpected(relief.error());

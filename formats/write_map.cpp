@@ -40,7 +40,7 @@ EncodeRequest request_for(MapFormat format, Levels levels, const LayoutImage& im
 }
 
 /// PNG, TIFF, EXR and TGA, by OpenImageIO in the helper.
-Result<void> write_by_helper(const fs::path& path, Levels levels, const LayoutImage& image, int threads) {
+Result<void> write_by_helper(const fs::path& path, Levels levels, const LayoutImage& image, int threads, FileBatch& batch) {
     EncodeRequest request = request_for(*map_format_of(path), levels, image);
     request.threads = threads;
     Result<SharedMemory> file = [&]() -> Result<SharedMemory> {
@@ -55,11 +55,11 @@ Result<void> write_by_helper(const fs::path& path, Levels levels, const LayoutIm
         return encode_image(request, *pixels, path.string());
     }();
     if (!file) return tl::unexpected(file.error());
-    return write_file_atomically(path, file->bytes());
+    return batch.add(path, file->bytes());
 }
 
 /// DDS and KTX2, by us.
-Result<void> write_texture(const fs::path& path, Levels levels, const LayoutImage& image) {
+Result<void> write_texture(const fs::path& path, Levels levels, const LayoutImage& image, FileBatch& batch) {
     const BitDepth bits = levels[0].info.bits;
     std::vector<std::vector<std::byte>> pixels;
     std::vector<TextureLevel> textures;
@@ -68,8 +68,8 @@ Result<void> write_texture(const fs::path& path, Levels levels, const LayoutImag
         interleave(level, image, bits, pixels.back().data());
         textures.push_back({image_width(level, image), level.grid.height, pixels.back()});
     }
-    if (*map_format_of(path) == MapFormat::dds) return write_file_atomically(path, encode_dds(bits, textures));
-    return write_file_atomically(path, encode_ktx2(bits, textures, metadata_text(levels[0]), "reliefbake " RELIEFBAKE_VERSION));
+    if (*map_format_of(path) == MapFormat::dds) return batch.add(path, encode_dds(bits, textures));
+    return batch.add(path, encode_ktx2(bits, textures, metadata_text(levels[0]), "reliefbake " RELIEFBAKE_VERSION));
 }
 
 void assert_whole([[maybe_unused]] const ReliefMap& map, const LayoutImage& image) {
@@ -78,13 +78,13 @@ void assert_whole([[maybe_unused]] const ReliefMap& map, const LayoutImage& imag
             assert(plane_of(map, plane).width() == map.grid.width && plane_of(map, plane).height() == map.grid.height);
 }
 
-Result<void> write_in_one(const fs::path& path, Levels levels, int threads) {
+Result<void> write_in_one(const fs::path& path, Levels levels, int threads, FileBatch& batch) {
     const MapFormat format = *map_format_of(path);
     for (const LayoutImage& image : layout_images(levels[0].info)) {
         for (const ReliefMap& level : levels) assert_whole(level, image);
         const fs::path file = image_path(path, image);
         const bool own = format == MapFormat::dds || format == MapFormat::ktx2;
-        const Result<void> written = own ? write_texture(file, levels, image) : write_by_helper(file, levels, image, threads);
+        const Result<void> written = own ? write_texture(file, levels, image, batch) : write_by_helper(file, levels, image, threads, batch);
         if (!written) return written;
     }
     return {};
@@ -92,20 +92,38 @@ Result<void> write_in_one(const fs::path& path, Levels levels, int threads) {
 
 } // namespace
 
-Result<void> write_map(const fs::path& path, const ReliefMap& map, int threads) {
+Result<void> write_map(const fs::path& path, const ReliefMap& map, FileBatch& batch, int threads) {
     if (Result<void> checked = check_map_format(path, map.info); !checked) return checked;
     assert(map.info.planes == int(map.cone_planes.size()));
-    return write_in_one(path, std::span(&map, 1), threads);
+    return write_in_one(path, std::span(&map, 1), threads, batch);
 }
 
-Result<void> write_map_levels(const fs::path& path, std::span<const ReliefMap> levels, int threads) {
+Result<void> write_map_levels(const fs::path& path, std::span<const ReliefMap> levels, FileBatch& batch, int threads) {
     if (levels[0].info.layout == ChannelLayout::side && levels.size() > 1)
         return fail(ErrorCode::usage, path.string() + ": mip levels cannot lie side by side; choose the layout pair or named");
     if (Result<void> checked = check_map_format(path, levels[0].info); !checked) return checked;
-    if (holds_mips(path)) return write_in_one(path, levels, threads);
+    if (holds_mips(path)) return write_in_one(path, levels, threads, batch);
     for (std::size_t n = 0; n < levels.size(); ++n)
-        if (Result<void> written = write_map(mip_path(path, int(n)), levels[n], threads); !written) return written;
+        if (Result<void> written = write_map(mip_path(path, int(n)), levels[n], batch, threads); !written) return written;
     return {};
+}
+
+std::vector<fs::path> map_files(const fs::path& path, const ReliefMapInfo& info, bool mips) {
+    constexpr int most_levels = 17; // 65536 x 65536 down to 1 x 1
+    std::vector<fs::path> files;
+    for (int level = 0; level < (mips && !holds_mips(path) ? most_levels : 1); ++level)
+        for (const LayoutImage& image : layout_images(info)) files.push_back(image_path(mip_path(path, level), image));
+    return files;
+}
+
+Result<void> write_map(const fs::path& path, const ReliefMap& map, int threads) {
+    FileBatch batch;
+    return write_map(path, map, batch, threads).and_then([&] { return batch.publish(); });
+}
+
+Result<void> write_map_levels(const fs::path& path, std::span<const ReliefMap> levels, int threads) {
+    FileBatch batch;
+    return write_map_levels(path, levels, batch, threads).and_then([&] { return batch.publish(); });
 }
 
 } // namespace reliefbake

@@ -76,6 +76,7 @@ struct ReliefRay {
 const int RELIEF_NO_RAY = 0;
 const int RELIEF_HIT = 1;
 const int RELIEF_OUT_OF_STEPS = 2; // t is where the march stood, above the relief
+const int RELIEF_HOLE = 4;         // came down to where there is no floor
 
 struct ReliefHit {
     float t;     // depth reached

@@ -1,4 +1,5 @@
 // A tiled plane of relief under a perspective camera; the plane is the relief's top. RELIEF_TRACE names the technique.
+// RELIEF_HOLES 1: rays fall through holes, and their pixels keep the background. (Not by discard: what became of the ray is kept.)
 
 uniform vec3 camera_eye;
 uniform vec3 camera_forward; // unit
@@ -42,10 +43,16 @@ void main() {
     ray.direction = vec2(view.x, -view.y / relief_aspect) * (relief_depth_scale / -view.z);
 
     ReliefHit hit = RELIEF_TRACE(ray);
+    bool through = hit.status == RELIEF_HOLE;
+#if RELIEF_HOLES
+    through = through || relief_falls_through(ray, hit); // out of steps above a hole, too
+    if (through && hit.status == RELIEF_HIT) hit.status = RELIEF_HOLE;
+#endif
     vec2 place = ray.origin + hit.t * ray.direction;
     out_hit = vec4(place, 1.0 - hit.t, hit.gap);
     out_counts = vec4(float(hit.steps), float(hit.fetches), float(hit.status), hit.t);
     out_ray = vec4(ray.origin, ray.direction);
+    if (through) return;
     float lit = 0.0;
     out_colour = vec4(tone_map(shade_relief(place, normalize(view), lit)), 1.0);
     out_light.x = lit;

@@ -18,6 +18,33 @@ double ray_tolerance(const ReliefRay& ray, double t, const CompareOptions& optio
     return options.tolerance + position_rounding * std::max(u, v) * options.steepest;
 }
 
+/// Cells within a shader's rounding of a position: how many of them, and how many are open.
+struct OpenCells {
+    int open = 0, all = 0;
+};
+OpenCells cells_at(const BilinearSurface& surface, double u, double v) {
+    const double x = surface.to_x(u), y = surface.to_y(v);
+    const double rounding_x = position_rounding * std::max(std::abs(x), double(surface.grid().width));
+    const double rounding_y = position_rounding * std::max(std::abs(y), double(surface.grid().height));
+    OpenCells cells;
+    for (auto j = std::int64_t(std::floor(y - rounding_y)); double(j) <= y + rounding_y; ++j)
+        for (auto i = std::int64_t(std::floor(x - rounding_x)); double(i) <= x + rounding_x; ++i)
+            ++cells.all, cells.open += surface.is_open(surface.patch(i, j));
+    return cells;
+}
+
+/// What a ray and its rendering make of holes; `missed`, and `stops`: the raised surface stops the ray before its rendered end.
+void compare_holes(const BilinearSurface& surface, const ReliefRay& ray, double t, double raised_by, RayStatus status, bool missed,
+                   bool stops, Comparison& sum) {
+    const OpenCells cells = cells_at(surface, ray.u + t * ray.du, ray.v + t * ray.dv);
+    if (status == RayStatus::hole) {
+        ++sum.holes;
+        sum.pierced += missed || cells.open == 0;
+    } else if (status == RayStatus::hit && !stops && !first_hit(surface, ray, -raised_by)) {
+        sum.filled += t < 1 - raised_by || cells.open == cells.all;
+    }
+}
+
 /// Sums over one row; divided only at the end, so that rows may be done in any order.
 Comparison compare_row(const BilinearSurface& surface, const Rendering& rendering, const CompareOptions& options, int row) {
     Comparison sum;
@@ -32,8 +59,13 @@ Comparison compare_row(const BilinearSurface& surface, const Rendering& renderin
         const double tolerance = ray_tolerance(ray, t, options);
         sum.tolerance_max = std::max(sum.tolerance_max, tolerance);
         const auto lowered = first_hit(surface, ray, tolerance + options.allowed_depth, t);
-        if (lowered && lowered->t < t) ++sum.missed;
-        else if (!first_hit(surface, ray, -tolerance - 2 * options.filter_delta, t)) ++sum.early;
+        const bool missed = lowered && lowered->t < t;
+        const double raised_by = tolerance + 2 * options.filter_delta;
+        const bool stops = missed || first_hit(surface, ray, -raised_by, t).has_value();
+        sum.missed += missed;
+        // Nothing stops a ray above a hole: it is early where it ends above the floor.
+        sum.early += !stops && !(surface.has_holes() && t >= 1 - raised_by);
+        if (surface.has_holes()) compare_holes(surface, ray, t, raised_by, status, missed, stops, sum);
         const double error = (1 - t) - surface.height(ray.u + t * ray.du, ray.v + t * ray.dv);
         ++sum.rays;
         sum.out_of_steps += status == RayStatus::out_of_steps;
@@ -70,6 +102,9 @@ Comparison compare_with_oracle(const BilinearSurface& surface, const Rendering& 
         total.missed += row.missed;
         total.early += row.early;
         total.out_of_steps += row.out_of_steps;
+        total.holes += row.holes;
+        total.pierced += row.pierced;
+        total.filled += row.filled;
         total.mse += row.mse;
         total.steps_mean += row.steps_mean;
         total.steps_max = std::max(total.steps_max, row.steps_max);
@@ -92,6 +127,9 @@ Comparison combined(const Comparison& a, const Comparison& b) {
     sum.missed = a.missed + b.missed;
     sum.early = a.early + b.early;
     sum.out_of_steps = a.out_of_steps + b.out_of_steps;
+    sum.holes = a.holes + b.holes;
+    sum.pierced = a.pierced + b.pierced;
+    sum.filled = a.filled + b.filled;
     sum.mse = share_a * a.mse + share_b * b.mse;
     sum.steps_mean = share_a * a.steps_mean + share_b * b.steps_mean;
     sum.steps_max = std::max(a.steps_max, b.steps_max);
@@ -107,7 +145,8 @@ Image<Quad> oracle_hits(const BilinearSurface& surface, const Rendering& renderi
             const std::size_t pixel = std::size_t(row) * std::size_t(rendering.width()) + std::size_t(column);
             if (rendering.status(pixel) == RayStatus::no_ray) continue;
             const auto hit = first_hit(surface, ray_of(rendering.ray[pixel]));
-            hits[pixel] = {hit ? float(hit->t) : 1.0f, 0, float(RayStatus::hit), 0};
+            const RayStatus status = hit || !surface.has_holes() ? RayStatus::hit : RayStatus::hole;
+            hits[pixel] = {hit ? float(hit->t) : 1.0f, 0, float(status), 0};
         }
     });
     return hits;

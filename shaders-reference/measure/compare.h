@@ -31,6 +31,9 @@ struct Comparison {
     std::uint64_t missed = 0;       ///< the hit lies beyond the first hit on the surface lowered by the tolerance
     std::uint64_t early = 0;        ///< the hit lies before the first hit on the surface raised by the tolerance and 2 filter_delta
     std::uint64_t out_of_steps = 0; ///< marches that never arrived; mostly counted as early too
+    std::uint64_t holes = 0;        ///< rays that the rendering let fall through
+    std::uint64_t pierced = 0;      ///< of these, those that meet the lowered surface, or end where no cell is open
+    std::uint64_t filled = 0;       ///< rendered hits of rays that fall through the raised surface too: early, or in open cells
     double mse = 0;                 ///< mean squared (hit height - surface height at the hit), 001 sec. 4.1
     double steps_mean = 0;
     double steps_max = 0;

@@ -27,7 +27,7 @@ ShadowComparison compare_shadows(const BilinearSurface& surface, const Rendering
         ShadowComparison& sum = rows[std::size_t(row)];
         for (int column = 0; column < rendering.width(); ++column) {
             const std::size_t pixel = std::size_t(row) * std::size_t(rendering.width()) + std::size_t(column);
-            if (rendering.status(pixel) == RayStatus::no_ray) continue;
+            if (rendering.status(pixel) == RayStatus::no_ray || rendering.status(pixel) == RayStatus::hole) continue;
             const bool dark = is_dark(surface, rendering.hit[pixel], sun, depth_scale), lit = rendering.light[pixel][0] > 0.5f;
             ++sum.pixels;
             sum.dark += dark;

@@ -73,7 +73,7 @@ Result<double> largest_difference(const DepthMap& stored, const DepthMap& source
 
 Verdict judge(const ReliefMap& map, const ConeCheck& cones, const Comparison& rays) {
     if (cones.violations > 0) return Verdict::unsafe;
-    if (rays.missed == 0) return Verdict::safe;
+    if (rays.missed == 0 && rays.pierced == 0) return Verdict::safe;
     const bool promised = map.info.surface == SurfaceModel::bilinear &&
                           (map.info.family == ConeFamily::conservative || map.info.rays == RelaxedRays::strict);
     return promised ? Verdict::unsafe : Verdict::not_conservative;
@@ -85,6 +85,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     VerifyReport report;
     if (map.depth.empty()) return fail(ErrorCode::usage, "the map has no depth channel: there is no surface to judge by");
     const DepthMap depth = stored_depth(map);
+    report.has_holes = depth.holes;
     if (options.source) {
         const Result<double> difference = largest_difference(depth, *options.source);
         if (!difference) return tl::unexpected<Error>(difference.error());

@@ -54,6 +54,7 @@ struct VerifyReport {
     Verdict verdict = Verdict::safe;
     ConeCheck cones;
     Comparison total;
+    bool has_holes = false;
     double tolerance = 0;  ///< height that a hit may be off, of the ray that was allowed most (CompareOptions)
     std::optional<double> tightness; ///< mean r / r_footprint over a crop, when one was asked for
     double oracle_rays_per_second = 0; ///< rays judged per second and all threads
@@ -66,7 +67,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options =
 
 std::string to_string(Verdict verdict);
 
-/// Keys: verdict, missed and early (shares of rays), mse, steps_mean, steps_max, fetches_mean, out_of_steps, violations
+/// Keys: verdict, missed, early, holes, pierced and filled (shares of rays), mse, steps_mean, steps_max, fetches_mean, out_of_steps, violations
 /// (of `points`), worst (with its place), tightness (null without a crop), tolerance, rays, oracle_rays_per_second, depth_difference, views.
 nlohmann::json to_json(const VerifyReport& report);
 

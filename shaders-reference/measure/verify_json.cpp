@@ -7,6 +7,9 @@ double share(std::uint64_t part, std::uint64_t whole) { return whole > 0 ? doubl
 
 nlohmann::json rays_json(const Comparison& rays) {
     return {{"rays", rays.rays},
+            {"holes", share(rays.holes, rays.rays)},
+            {"pierced", share(rays.pierced, rays.rays)},
+            {"filled", share(rays.filled, rays.rays)},
             {"missed", share(rays.missed, rays.rays)},
             {"early", share(rays.early, rays.rays)},
             {"out_of_steps", share(rays.out_of_steps, rays.rays)},

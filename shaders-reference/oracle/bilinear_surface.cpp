@@ -55,7 +55,7 @@ Span span_of(std::int64_t cell, int texels, Wrap wrap, int level) {
 double Patch::highest() const { return std::max(std::max(h00, h10), std::max(h01, h11)); }
 
 BilinearSurface::BilinearSurface(const DepthMap& depth)
-    : grid_(depth.grid), heights_(depth.grid.width, depth.grid.height) {
+    : grid_(depth.grid), heights_(depth.grid.width, depth.grid.height), has_holes_(depth.holes) {
     for (int j = 0; j < grid_.height; ++j)
         for (int i = 0; i < grid_.width; ++i) heights_(i, j) = 1.0 - depth.depth(i, j);
     highest_ = *std::max_element(heights_.begin(), heights_.end());

@@ -35,7 +35,7 @@ struct CellBlock {
 };
 
 /// The bilinear surface of a stored depth map, in double precision, over the whole plane: repeated or extended
-/// constantly, per axis. Positions are (u, v) or, in the oracle's own walk, texel units x = u * width - 0.5, in which
+/// constantly, per axis. A cell whose four corners are holes is open: nothing is in it, and no floor below it. Positions are (u, v) or, in the oracle's own walk, texel units x = u * width - 0.5, in which
 /// cell (i, j) is [i, i+1] x [j, j+1].
 class BilinearSurface {
   public:
@@ -43,6 +43,9 @@ class BilinearSurface {
 
     const TexelGrid& grid() const { return grid_; }
     double highest() const { return highest_; }
+    bool has_holes() const { return has_holes_; }
+    /// Of a cell's patch; heights of holes alone are 0.
+    bool is_open(const Patch& patch) const { return has_holes_ && patch.highest() == 0; }
 
     double height(double u, double v) const;
     /// Height of a texel, addressed as the grid says.
@@ -61,6 +64,7 @@ class BilinearSurface {
     Image<double> heights_;
     std::vector<Image<float>> pyramid_; ///< [k]: highest of blocks of level k + 1, rounded up
     double highest_ = 0;
+    bool has_holes_ = false;
 };
 
 } // namespace reliefbake

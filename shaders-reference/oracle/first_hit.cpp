@@ -24,6 +24,7 @@ double first_positive_root(double a, double b, double c) {
 }
 
 struct HitVisitor {
+    const BilinearSurface& surface;
     const CellLine& line;
     double h, dh, lowered_by, t_end;
     std::optional<double> hit;
@@ -37,6 +38,7 @@ struct HitVisitor {
 
     // Gap between ray and surface on [t_in, t_out], s = t - t_in:  gap + b s + a s^2.
     bool visit(const Patch& patch, double x, double y, double t_in, double t_out) {
+        if (surface.is_open(patch)) return false;
         const double gap = height_at(t_in) - (patch.height(x, y) - lowered_by);
         if (gap <= 0) return stop_at(t_in);
         const double b = dh - patch.slope(x, y, line.dx, line.dy);
@@ -61,11 +63,12 @@ std::optional<ReliefHit> first_hit(const BilinearSurface& surface, const ReliefR
     assert(ray.dh != 0 || std::isfinite(t_max) || ray.h > surface.highest() - lowered_by);
     double t_end = t_max;
     if (ray.dh > 0) t_end = std::min(t_end, (surface.highest() - lowered_by - ray.h) / ray.dh);
+    if (surface.has_holes() && ray.dh < 0) t_end = std::min(t_end, -ray.h / ray.dh);
     if (ray.dh >= 0 && ray.h > surface.highest() - lowered_by) return std::nullopt;
 
     const TexelGrid& grid = surface.grid();
     const CellLine line{surface.to_x(ray.u), surface.to_y(ray.v), ray.du * grid.width, ray.dv * grid.height};
-    HitVisitor visitor{line, ray.h, ray.dh, lowered_by, t_end, std::nullopt};
+    HitVisitor visitor{surface, line, ray.h, ray.dh, lowered_by, t_end, std::nullopt};
     walk_cells(surface, line, visitor);
     if (!visitor.hit) return std::nullopt;
     const double t = *visitor.hit;

@@ -21,6 +21,7 @@ struct ReliefHit {
 
 /// First point, 0 <= t <= t_max, at which the ray is on or below the surface moved down by `lowered_by` (negative: up);
 /// t = 0 when it starts there. Each cell's quadratic is solved in the cancellation-free form; intervals are closed.
+/// With holes the relief ends at height 0: a ray that comes down to there met nothing, and fell through.
 /// t_max must be finite for a level ray over a repeated surface: it may never arrive.
 std::optional<ReliefHit> first_hit(const BilinearSurface& surface, const ReliefRay& ray, double lowered_by = 0,
                                    double t_max = std::numeric_limits<double>::infinity());

@@ -21,6 +21,7 @@ enum class RayStatus {
     hit = 1,
     out_of_steps = 2, ///< the march stopped above the relief
     passed = 3,       ///< solids: left the domain without a hit
+    hole = 4,         ///< the ray came down to the floor where there is none: the pixel shows what is behind
 };
 
 using Quad = std::array<float, 4>;

@@ -26,6 +26,7 @@ std::string file_comment(const ReliefMap& map) {
     text += info.guarantee == "C"   ? "// No step passes a point of the relief (guarantee C).\n"
             : info.guarantee == "R" ? "// The last step holds the first hit alone (guarantee R).\n"
                                     : "// Nothing is guaranteed about these cones.\n";
+    if (info.holes) text += "// Depth 1 is a hole: a ray that comes down to it between four such texels is discarded.\n";
     if (info.filter_delta > 0)
         text += "// relief_delta is for samplers with 8-bit weights, as most hardware has; 0 for exact ones.\n";
     return text + "\n";
@@ -56,7 +57,8 @@ std::string entry_point(const ReliefMap& map, std::string_view march, bool hlsl)
     const std::string result = hlsl ? "return " : "relief_colour = ";
     std::string body = "    ReliefRay ray;\n    ray.origin = relief_uv;\n"
                        "    ray.direction = vec2(relief_view.x, -relief_view.y / relief_aspect) * (relief_depth_scale / -relief_view.z);\n"
-                       "    ReliefHit hit = " + std::string(march) + "(ray);\n"
+                       "    ReliefHit hit = " + std::string(march) + "(ray);\n" +
+                       (map.info.holes ? "    if (relief_falls_through(ray, hit)) discard;\n" : "") +
                        "    vec2 uv = ray.origin + hit.t * ray.direction;\n";
     if (normals) {
         body += "    vec3 normal = relief_normal(textureLod(relief_map, uv, 0.0));\n"
@@ -79,6 +81,7 @@ Result<std::string> export_shader(const ReliefMap& map, ShaderLanguage language)
     const std::vector<ShaderConstant> constants = shader_constants(shader_config(map, technique.technique, false));
 
     std::string body = specialise(shader_text("relief_map.glsl"), constants);
+    if (map.info.holes) body.append("\n").append(specialise(shader_text("relief_holes.glsl"), constants));
     body.append("\n").append(specialise(shader_text("relief_cones.glsl"), constants));
     for (const std::string_view file : technique.files) body.append("\n").append(specialise(shader_text(file), constants));
     body += entry_point(map, technique.function, language == ShaderLanguage::hlsl);

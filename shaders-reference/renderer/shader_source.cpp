@@ -59,6 +59,7 @@ std::vector<ShaderConstant> shader_constants(const ShaderConfig& config) {
             {"RELIEF_PLANES", std::max(config.sectors, config.levels)},
             {"RELIEF_LOOKUP", lookup_number(config)},
             {"RELIEF_CONE_FETCHES", cone_fetches(config)},
+            {"RELIEF_HOLES", config.holes},
             {"RELIEF_EMPTY_CONES", config.empty_cones},
             {"RELIEF_EXACT_FINISH", config.exact_finish},
             {"SCENE_SHADOW", int(config.shadow)},
@@ -75,6 +76,7 @@ ShaderConfig shader_config(const ReliefMap& map, Technique technique, bool exact
     config.sectors = info.kind == "acm" ? int(map.cone_planes.size()) : 0;
     config.levels = info.kind == "cone-stack" ? int(map.cone_planes.size()) : 1;
     config.lookup = info.lookup;
+    config.holes = info.holes;
     config.empty_cones = has_cones(map) && info.family == ConeFamily::conservative;
     config.technique = technique;
     config.exact_finish = exact_finish;
@@ -95,6 +97,7 @@ std::string fragment_source(const ShaderConfig& config, Prelude prelude) {
     for (const ShaderConstant& constant : shader_constants(config)) define(constant.name, std::to_string(constant.value));
     define("RELIEF_TRACE", technique.function);
     source += shader_text("relief_map.glsl");
+    if (config.holes) source += shader_text("relief_holes.glsl");
     source += shader_text("relief_cones.glsl");
     for (const std::string_view file : technique.files) source += shader_text(file);
     if (config.shadow == Shadow::horizon) source += shader_text("horizon.glsl");

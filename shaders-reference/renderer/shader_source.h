@@ -35,6 +35,7 @@ struct ShaderConfig {
     int sectors = 0;          ///< 0: one cone for all; 4, 8
     int levels = 1;           ///< cones stacked, 1 to 8
     ConeLookup lookup = ConeLookup::filtered;
+    bool holes = false;       ///< depth 1 is a hole
     bool empty_cones = true;  ///< nothing of the relief is inside: shadow rays may leap too
     Technique technique = Technique::cone;
     bool exact_finish = false; ///< Technique::cone, cone_raw

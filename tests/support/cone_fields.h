@@ -55,4 +55,15 @@ inline DepthMap bumpy(const TexelGrid& grid, std::uint32_t seed) {
     return map;
 }
 
+/// `depth` with round holes cut into it; unorm, solid texels above the floor.
+inline DepthMap with_holes(DepthMap depth) {
+    const float floor = float(max_code(depth.bits));
+    for (float& level : depth.level) level = std::min(level, floor - 1);
+    depth.holes = true;
+    for (int j = 0; j < depth.grid.height; ++j)
+        for (int i = 0; i < depth.grid.width; ++i)
+            if (std::sin(0.55 * i + 1) * std::cos(0.4 * j) > 0.35) depth.level(i, j) = floor;
+    return depth;
+}
+
 } // namespace reliefbake::test

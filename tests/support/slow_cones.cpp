@@ -148,6 +148,7 @@ ReliefMap make_relief_map(const DepthMap& depth, const Image<float>& ratio, doub
     map.info.metric = choices.metric;
     map.info.encoding = choices.encoding;
     map.info.bits = choices.bits;
+    map.info.holes = depth.holes;
     map.info.cone_max = float(ratio_max);
     map.info.depth_scale = depth_scale;
     map.info.guarantee = std::string("C"); // GCC 12 warns about the plain literal (-Wrestrict, bug 105651)

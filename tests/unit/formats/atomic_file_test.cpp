@@ -31,6 +31,30 @@ TEST_CASE("a file appears whole and replaces whole") {
     CHECK(folder.entries() == 2);
 }
 
+TEST_CASE("files of a batch appear together, or not at all") {
+    TemporaryFolder folder;
+    const std::string one = "one", two = "two";
+    const auto bytes = [](const std::string& text) { return std::as_bytes(std::span(text)); };
+    REQUIRE(write_text(folder / "a", "previous"));
+    {
+        FileBatch batch;
+        REQUIRE(batch.add(folder / "a", bytes(one)));
+        REQUIRE(batch.add(folder / "b", bytes(two)));
+        CHECK(file_bytes(folder / "a") == "previous");
+        CHECK_FALSE(fs::exists(folder / "b"));
+        CHECK(batch.add(folder / "none" / "c", bytes(two)).error().code == ErrorCode::cannot_create);
+    }
+    CHECK(file_bytes(folder / "a") == "previous");
+    CHECK(folder.entries() == 1); // the temporaries are gone
+    FileBatch batch;
+    REQUIRE(batch.add(folder / "a", bytes(one)));
+    REQUIRE(batch.add(folder / "b", bytes(two)));
+    REQUIRE(batch.publish());
+    CHECK(file_bytes(folder / "a") == "one");
+    CHECK(file_bytes(folder / "b") == "two");
+    CHECK(folder.entries() == 2);
+}
+
 TEST_CASE("a symbolic link survives, other things are not replaced") {
     TemporaryFolder folder;
     fs::create_symlink("target", folder / "link");

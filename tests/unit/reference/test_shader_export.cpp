@@ -53,6 +53,10 @@ std::vector<ReliefMap> maps_of_all_kinds() {
     maps.back().info.cone_max = std::numeric_limits<float>::infinity();
     maps.back().info.bits = BitDepth::float32;
     maps.back().normal_x = maps.back().normal_y = Image<float>();
+    maps.push_back(base_map(ConeEncoding::sqrt));
+    maps.back().info.holes = true;
+    maps.push_back(maps.back());
+    maps.back().info.family = ConeFamily::relaxed;
     return maps;
 }
 
@@ -121,6 +125,10 @@ TEST_CASE("what a shader prints is what the map says", "[export]") {
     CHECK_FALSE(has("#if"));
     CHECK_FALSE(has("uniform float"));
     CHECK_FALSE(has("RELIEF_ENCODING"));
+    CHECK_FALSE(has("discard"));
+    CHECK_FALSE(has("falls_through"));
+    map.info.holes = true;
+    CHECK(export_shader(map, ShaderLanguage::hlsl).value().find("if (relief_falls_through(ray, hit)) discard;") != std::string::npos);
     map.info.family = ConeFamily::relaxed;
     CHECK(export_shader(map, ShaderLanguage::hlsl).value().find("relaxed_march(ray)") != std::string::npos);
     map.cone = Image<float>();

@@ -46,6 +46,7 @@ std::vector<ShaderConfig> configurations() {
         for (const Ambient ambient : {Ambient::none, Ambient::cone, Ambient::cone_normal})
             for (const bool empty : {false, true})
                 add([&](ShaderConfig& config) { config.shadow = shadow, config.ambient = ambient, config.empty_cones = empty; });
+    for (const TechniqueInfo& info : all_techniques()) add([&](ShaderConfig& config) { config.technique = info.technique, config.holes = true; });
     add([](ShaderConfig& config) { config.metric = Metric::l1, config.normal_unorm = false, config.normal_y = NormalY::dx; });
     return all;
 }

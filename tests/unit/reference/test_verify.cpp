@@ -77,6 +77,39 @@ TEST_CASE("8-bit filter weights are safe with the map's delta and not without", 
     CHECK(report.verdict == Verdict::safe);
 }
 
+TEST_CASE("rays through holes are judged: by the shader that discards, by one that does not, and by one that discards too much", "[verify]") {
+    DepthMap depth = noise(square16, 5);
+    for (float& level : depth.level) level = std::min(level, 254.0f);
+    for (int j = 4; j < 12; ++j)
+        for (int i = 3; i < 13; ++i) depth.level(i, j) = 255;
+    depth.holes = true;
+    const ReliefMap map = make_relief_map(depth, proven_l2_cones(depth, 1), 1, {});
+    const VerifyReport right = verified(map);
+    CHECK(right.verdict == Verdict::safe);
+    CHECK(right.has_holes);
+    CHECK(right.total.holes > right.total.rays / 50);
+    CHECK(right.total.pierced == 0);
+    CHECK(right.total.filled == 0);
+
+    // The same rays, and what they should have met.
+    const BilinearSurface surface(depth);
+    ReliefMap forgetful = map;
+    forgetful.info.holes = false;
+    RenderOptions look;
+    look.width = 160, look.height = 120, look.endless = true, look.max_steps = 512, look.view = {40, 20, 10, 0};
+    CHECK(compare_with_oracle(surface, render(map, look).value()).filled == 0);
+    const Comparison filled = compare_with_oracle(surface, render(forgetful, look).value());
+    CHECK(filled.filled > filled.rays / 50);
+    CHECK(filled.holes == 0);
+
+    // One hole more than there is: a floor that the ray should have met.
+    DepthMap solid = depth;
+    solid.level(8, 8) = 254;
+    const Comparison pierced = compare_with_oracle(BilinearSurface(solid), render(map, look).value());
+    CHECK(pierced.pierced > 10);
+    CHECK(pierced.missed > 0);
+}
+
 TEST_CASE("a source of another size is refused, another content is measured", "[verify]") {
     const DepthMap depth = noise(square16, 5);
     const ReliefMap map = make_relief_map(depth, proven_l2_cones(depth, 1), 1, {});
