@@ -4,6 +4,7 @@
 #include "cli/number_options.h"
 #include "cli/render_choices.h"
 #include "formats/bump_file.h"
+#include "formats/shape_file.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/compare.h"
 #include "shaders-reference/measure/heat_map.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr int most_pixels = 16384; ///< a side
 
-const NumberRule view_angle = {[](double x) { return x >= 0 && x < 90; }, "degrees from 0 to below 90"};
+const NumberRule view_angle = {[](double x) { return x >= 0 && x <= 180; }, "degrees from 0 to 180"};
 const NumberRule any_angle = {[](double x) { return x >= -360 && x <= 360; }, "degrees from -360 to 360"};
 const NumberRule elevation = {[](double x) { return x > 0 && x <= 90; }, "degrees above 0, up to 90"};
 
@@ -56,7 +57,7 @@ void add_shadow(CLI::App& app, Shadow& shadow) {
 void add_view_options(CLI::App& app, RenderOptions& picture) {
     app.option_defaults()->group("View");
     add_number(app, "--view", picture.view.angle, view_angle,
-               "Degrees between the line of sight and the relief's normal (default 45)");
+               "Degrees between the line of sight and the relief's normal, below 90 for planes (default 45)");
     add_number(app, "--azimuth", picture.view.azimuth, any_angle,
                "Heading of the line of sight, degrees clockwise from up the image (default 0)");
     add_number(app, "--span", picture.view.span, positive_number,
@@ -76,6 +77,7 @@ void add_view_options(CLI::App& app, RenderOptions& picture) {
 } // namespace
 
 void RenderCommand::add_to(CLI::App& app) {
+    app_ = &app;
     app.add_option("MAP", options_.file, "A baked map")->required();
     app.add_option("-o,--output", options_.output, "Picture to write, PNG")->required()->type_name("PNG");
     app.add_option("--error", options_.error,
@@ -94,6 +96,7 @@ void RenderCommand::add_to(CLI::App& app) {
     add_choice(app, "--renderer", options_.backend, renderer_words, "Who draws (default osmesa)");
     app.option_defaults()->group("Map");
     add_map_hints(app, options_.hints);
+    add_render_shape_options(app, options_.shape);
 }
 
 Result<void> RenderCommand::check_output(const std::filesystem::path& path) const {
@@ -124,6 +127,13 @@ Result<void> RenderCommand::write_error(const ReliefMap& map, const Rendering& r
     return write_png(options_.error, picture.width, picture.height, 3, picture.rgb);
 }
 
+Result<void> RenderCommand::run_shape() const {
+    Result<void> fits = refuse_given(*app_, "Map", {"--technique", "--exact-finish", "--ao", "--endless", "--error"}, options_.file + " is a shape map, which does not take it");
+    if (!fits) return fits;
+    return render_shape({options_.file, options_.output, options_.picture, options_.technique.steps, options_.technique.binary_steps, options_.backend},
+                        options_.shape);
+}
+
 Result<void> RenderCommand::run() {
     if (Result<void> checked = check_output(options_.output); !checked) return checked;
     if (!options_.error.empty()) {
@@ -131,6 +141,11 @@ Result<void> RenderCommand::run() {
         if (std::filesystem::path(options_.error).lexically_normal() == std::filesystem::path(options_.output).lexically_normal())
             return fail(ErrorCode::usage, "--error: names the same file as --output");
     }
+    const Result<std::string> kind = kind_of_map(options_.file);
+    if (!kind) return tl::unexpected(kind.error());
+    if (*kind == "shape") return run_shape();
+    if (Result<void> fits = refuse_given(*app_, "Solid (shape maps)", {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
+    if (options_.picture.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
     if ((options_.picture.shadow == Shadow::horizon) == options_.horizons.empty())
         return fail(ErrorCode::usage, options_.horizons.empty() ? "--shadow horizon: needs --horizon FILE" : "--horizon: needs --shadow horizon");
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);

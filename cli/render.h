@@ -2,6 +2,7 @@
 // reliefbake render MAP -o PNG
 
 #include "cli/command.h"
+#include "cli/render_shape.h"
 #include "cli/technique_options.h"
 #include "formats/map_file.h"
 #include "shaders-reference/renderer/relief_renderer.h"
@@ -20,6 +21,7 @@ class RenderCommand : public Command {
     Result<void> check_output(const std::filesystem::path& path) const;
     Result<Rendering> draw(const ReliefMap& map, const RenderOptions& picture) const;
     Result<void> write_error(const ReliefMap& map, const Rendering& rendering) const;
+    Result<void> run_shape() const;
 
     struct Options {
         std::string file;
@@ -30,7 +32,9 @@ class RenderCommand : public Command {
         RenderOptions picture;
         RendererBackend backend = RendererBackend::osmesa;
         TechniqueOptions technique;
+        RenderShapeOptions shape;
     } options_;
+    const CLI::App* app_ = nullptr; ///< knows which options were given
 };
 
 } // namespace reliefbake

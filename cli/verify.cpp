@@ -5,6 +5,7 @@
 #include "cli/render_choices.h"
 #include "cli/thread_option.h"
 #include "cli/verify_bump.h"
+#include "cli/verify_shape.h"
 #include "cli/verify_text.h"
 #include "formats/bump_file.h"
 #include "formats/shape_file.h"
@@ -72,6 +73,26 @@ void VerifyCommand::add_to(CLI::App& app) {
     add_choice(app, "--renderer", options_.verify.backend, renderer_words, "Who draws (default osmesa)");
     app.option_defaults()->group("Map");
     add_map_hints(app, options_.hints);
+    add_solid_options(app, options_.solid);
+}
+
+Result<void> VerifyCommand::run_shape() const {
+    for (const char* group : {"Map", "Source"}) {
+        Result<void> fits = refuse_given(*app_, group, {"--technique", "--exact-finish", "--crop"}, options_.file + " is a shape map, which does not take it");
+        if (!fits) return fits;
+    }
+    const Result<int> threads = resolve_threads(options_.verify.threads);
+    if (!threads) return tl::unexpected(threads.error());
+    ShapeVerifyOptions options;
+    options.backend = options_.verify.backend;
+    options.filter = options_.verify.filter;
+    if (app_->get_option("--rays")->count() > 0) options.rays = options_.verify.rays;
+    options.points = options_.verify.points;
+    options.seed = options_.verify.seed;
+    options.steps = options_.technique.steps.value_or(options.steps);
+    options.binary_steps = options_.technique.binary_steps.value_or(options.binary_steps);
+    options.threads = *threads;
+    return verify_shape_file(options_.file, options_.solid, options, options_.json, options_.pictures);
 }
 
 Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
@@ -106,6 +127,8 @@ Result<void> VerifyCommand::run_bump(const std::string& kind) const {
 Result<void> VerifyCommand::run() {
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
+    if (*kind != "shape")
+        if (Result<void> fits = refuse_given(*app_, "Solid (shape maps)", {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
     if (bump_kind_of(*kind)) return run_bump(*kind);
     VerifyOptions options = options_.verify;
     const Result<int> threads = resolve_threads(options.threads);
@@ -118,6 +141,7 @@ Result<void> VerifyCommand::run() {
         if (!std::filesystem::is_directory(options_.pictures, ignored))
             return fail(ErrorCode::cannot_create, options_.pictures + ": cannot create this folder");
     }
+    if (*kind == "shape") return run_shape();
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
     const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, options.max_steps);

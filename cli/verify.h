@@ -2,6 +2,7 @@
 // reliefbake verify MAP
 
 #include "cli/command.h"
+#include "cli/solid_options.h"
 #include "cli/technique_options.h"
 #include "formats/map_file.h"
 #include "formats/read_image.h"
@@ -18,9 +19,9 @@ class VerifyCommand : public Command {
 
   private:
     Result<void> run_bump(const std::string& kind) const;
+    Result<void> run_shape() const;
     Result<DepthMap> read_source(const ReliefMap& map) const;
 
-    CLI::App* app_ = nullptr;
     struct Options {
         std::string file;
         std::string source;   ///< the height map that the map was baked from
@@ -31,7 +32,9 @@ class VerifyCommand : public Command {
         VerifyOptions verify;
         TechniqueOptions technique;
         bool json = false;
+        SolidOptions solid;
     } options_;
+    const CLI::App* app_ = nullptr; ///< knows which options were given
 };
 
 } // namespace reliefbake

@@ -2,6 +2,7 @@
 // A verification as a person reads it.
 
 #include "shaders-reference/measure/verify.h"
+#include "shaders-reference/measure/verify_shape.h"
 
 #include <string>
 
@@ -9,5 +10,6 @@ namespace reliefbake {
 
 /// A table of the views, then one line each for rays, cones, tightness and the verdict.
 std::string verify_text(const VerifyReport& report);
+std::string verify_text(const ShapeVerifyReport& report);
 
 } // namespace reliefbake

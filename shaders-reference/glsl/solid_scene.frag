@@ -99,7 +99,10 @@ bool in_shadow(vec3 p, vec3 normal) {
 vec3 shaded(vec3 p, vec3 base, vec3 normal, vec3 smooth_normal, vec3 view) {
     float sun = max(dot(normal, scene_sun), 0.0);
     if (sun > 0.0 && dot(smooth_normal, scene_sun) > 0.0 && in_shadow(p, smooth_normal)) sun = 0.0;
-    vec3 colour = base * (SUN_COLOUR * sun + mix(BOUNCE_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.z));
+    // The sky above, light thrown back from below, and a weak lamp beside the eye, so that walls in the shade keep their form.
+    vec3 ambient = mix(BOUNCE_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.z);
+    float lamp = 0.35 * pow(max(dot(normal, normalize(vec3(-view.y, view.x, 0.4) - 1.2 * view)), 0.0), 1.5);
+    vec3 colour = base * (SUN_COLOUR * sun + ambient + lamp);
     vec3 half_way = normalize(scene_sun - view);
     return colour + 0.10 * SUN_COLOUR * sun * pow(max(dot(normal, half_way), 0.0), 36.0);
 }

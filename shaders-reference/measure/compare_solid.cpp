@@ -76,9 +76,9 @@ void judge_ray(const PixelShape& shape, const ShapeSolid& solid, const ShapeRend
     const double gap = solid_gap(shape, solid, point);
     ++sums.hits;
     if (gap > options.allowed_gap + rounding * (1 + solid.bevel)) ++sums.early;
-    sums.gap_mean += std::isfinite(gap) ? gap : 0;
-    sums.gap_max = std::max(sums.gap_max, std::isfinite(gap) ? gap : 0.0);
     if (rendering.normal[pixel][3] != 0) return;
+    sums.gap_mean += gap;
+    sums.gap_max = std::max(sums.gap_max, gap);
     const double angle = degrees_between(solid_normal(shape, solid, point), rendering.normal[pixel]);
     sums.normal_mean += angle;
     ++row.normals;
@@ -100,16 +100,20 @@ double allowed_gap(const ShapeMap& map, SamplerFilter filter, double epsilon_tex
     return (2 * std::sqrt(0.5) + epsilon_texels) * map.grid.pitch_x() + code + sampler;
 }
 
-SolidComparison compare_solid(const PixelShape& shape, const ShapeSolid& solid, const ShapeRendering& rendering, const SolidCompareOptions& options) {
-    std::vector<RowSums> rows(std::size_t(rendering.height()));
-    parallel_for(rendering.height(), options.threads, [&](int row) {
-        for (int column = 0; column < rendering.width(); ++column) {
-            const std::size_t pixel = std::size_t(row) * std::size_t(rendering.width()) + std::size_t(column);
-            RowSums& sums = rows[std::size_t(row)];
-            if (!is_finite(rendering, pixel)) ++sums.sums.not_finite;
-            else if (rendering.status(pixel) != RayStatus::no_ray) judge_ray(shape, solid, rendering, pixel, options, sums);
-        }
-    });
+SolidComparison compare_solid(const PixelShape& shape, const ShapeSolid& solid, std::span<const ShapeRendering> views, const SolidCompareOptions& options) {
+    std::vector<RowSums> rows;
+    for (const ShapeRendering& view : views) {
+        std::vector<RowSums> judged(std::size_t(view.height()));
+        parallel_for(view.height(), options.threads, [&](int row) {
+            for (int column = 0; column < view.width(); ++column) {
+                const std::size_t pixel = std::size_t(row) * std::size_t(view.width()) + std::size_t(column);
+                RowSums& sums = judged[std::size_t(row)];
+                if (!is_finite(view, pixel)) ++sums.sums.not_finite;
+                else if (view.status(pixel) != RayStatus::no_ray) judge_ray(shape, solid, view, pixel, options, sums);
+            }
+        });
+        rows.insert(rows.end(), judged.begin(), judged.end());
+    }
     RowSums total;
     for (const RowSums& row : rows) {
         total.sums.rays += row.sums.rays;
@@ -129,7 +133,7 @@ SolidComparison compare_solid(const PixelShape& shape, const ShapeSolid& solid, 
     }
     SolidComparison& sums = total.sums;
     const auto mean = [](double& sum, std::uint64_t count) { sum = count > 0 ? sum / double(count) : 0; };
-    mean(sums.gap_mean, sums.hits);
+    mean(sums.gap_mean, total.normals);
     mean(sums.normal_mean, total.normals);
     mean(sums.steps_mean, sums.rays);
     mean(sums.fetches_mean, sums.rays);

@@ -5,6 +5,8 @@
 #include "shaders-reference/oracle/shape_solid.h"
 #include "shaders-reference/renderer/shape_renderer.h"
 
+#include <span>
+
 namespace reliefbake {
 
 /// The shape that a map stores, as its model says. Not for ShapeModel::contour, whose coverage no map holds.
@@ -26,14 +28,15 @@ struct SolidComparison {
     std::uint64_t early = 0;        ///< the hit lies farther from the solid than allowed
     std::uint64_t out_of_steps = 0; ///< marches that never arrived
     std::uint64_t not_finite = 0;   ///< samples with a NaN or infinity in any plane
-    double gap_mean = 0, gap_max = 0; ///< of hits: the exact gap there, texture widths
-    double normal_mean = 0;         ///< degrees between the shader's normal and the exact one there, hits on faces of the domain left out
+    // Of hits on walls; those on faces of the domain, where rays enter, are left out.
+    double gap_mean = 0, gap_max = 0; ///< the exact gap there, texture widths
+    double normal_mean = 0;         ///< degrees between the shader's normal and the exact one there
     double normal_95 = 0;           ///< the same, exceeded by one hit in twenty
     double steps_mean = 0, steps_max = 0, fetches_mean = 0;
 };
 
-/// Follows each pixel's ray, as the shader recorded it.
-SolidComparison compare_solid(const PixelShape& shape, const ShapeSolid& solid, const ShapeRendering& rendering, const SolidCompareOptions& options);
+/// Follows each pixel's ray, as the shader recorded it, in all views of one solid.
+SolidComparison compare_solid(const PixelShape& shape, const ShapeSolid& solid, std::span<const ShapeRendering> views, const SolidCompareOptions& options);
 
 /// The oracle's own hits for the rays of a rendering, as CircleScheme::given takes them.
 Image<Quad> oracle_solid_hits(const PixelShape& shape, const ShapeSolid& solid, const ShapeRendering& rendering, int threads = 0);

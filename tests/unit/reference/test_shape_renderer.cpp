@@ -44,7 +44,8 @@ ShapeRendering draw(const ShapeMap& map, const ShapeRenderOptions& options) {
 }
 
 SolidComparison compare(const ShapeMap& map, const ShapeRenderOptions& options) {
-    return compare_solid(stored_shape(map), options.solid, draw(map, options), {allowed_gap(map, SamplerFilter::exact, options.epsilon), 0});
+    const ShapeRendering rendering = draw(map, options);
+    return compare_solid(stored_shape(map), options.solid, {&rendering, 1}, {allowed_gap(map, SamplerFilter::exact, options.epsilon), 0});
 }
 
 struct Growth {
