@@ -128,9 +128,10 @@ Result<void> RenderCommand::write_error(const ReliefMap& map, const Rendering& r
 }
 
 Result<void> RenderCommand::run_shape() const {
-    Result<void> fits = refuse_given(*app_, "Map", {"--technique", "--exact-finish", "--ao", "--endless", "--error"}, options_.file + " is a shape map, which does not take it");
+    if (Result<void> hinted = refuse_hints(options_.hints, options_.file, "shape"); !hinted) return hinted;
+    Result<void> fits = refuse_given(*app_, "", {"--technique", "--exact-finish", "--ao", "--endless", "--error", "--horizon"}, options_.file + " is a shape map, which does not take it");
     if (!fits) return fits;
-    return render_shape({options_.file, options_.output, options_.picture, options_.technique.steps, options_.technique.binary_steps, options_.backend},
+    return render_shape({options_.file, options_.hints.max_bytes, options_.output, options_.picture, options_.technique.steps, options_.technique.binary_steps, options_.backend},
                         options_.shape);
 }
 
@@ -141,10 +142,10 @@ Result<void> RenderCommand::run() {
         if (std::filesystem::path(options_.error).lexically_normal() == std::filesystem::path(options_.output).lexically_normal())
             return fail(ErrorCode::usage, "--error: names the same file as --output");
     }
-    const Result<std::string> kind = kind_of_map(options_.file);
+    const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
     if (*kind == "shape") return run_shape();
-    if (Result<void> fits = refuse_given(*app_, "Solid (shape maps)", {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
+    if (Result<void> fits = refuse_given(*app_, solid_group, {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
     if (options_.picture.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
     if ((options_.picture.shadow == Shadow::horizon) == options_.horizons.empty())
         return fail(ErrorCode::usage, options_.horizons.empty() ? "--shadow horizon: needs --horizon FILE" : "--horizon: needs --shadow horizon");

@@ -2,6 +2,7 @@
 
 #include "cli/choices.h"
 #include "cli/number_options.h"
+#include "formats/bump_file.h"
 #include "formats/read_image.h"
 #include "formats/shape_file.h"
 #include "formats/write_image.h"
@@ -44,6 +45,34 @@ Result<ColourTexture> read_colour(const std::string& file) {
     return texture;
 }
 
+/// The derivatives of a bump map, both per texture width.
+Result<BumpTexture> read_bump(const std::string& file) {
+    Result<BumpMap> map = read_bump_map(file);
+    if (!map) return tl::unexpected(map.error());
+    if (map->info.kind != BumpKind::derivative)
+        return fail(ErrorCode::bad_data, file + ": expected derivatives (reliefbake bump), found a map of kind " + word_of(map->info.kind));
+    for (float& value : map->planes[0]) value = decode_bump(value, map->info);
+    for (float& value : map->planes[1]) value = float(decode_bump(value, map->info) / map->grid.aspect());
+    return BumpTexture{map->grid, std::move(map->planes[0]), std::move(map->planes[1])};
+}
+
+/// Loads what --texture and --bump name.
+Result<void> lay_textures(ShapeRenderer& renderer, const RenderShapeOptions& options) {
+    ColourTexture colour;
+    BumpTexture bump;
+    if (!options.texture.empty()) {
+        Result<ColourTexture> read = read_colour(options.texture);
+        if (!read) return tl::unexpected(read.error());
+        colour = std::move(*read);
+    }
+    if (!options.bump.empty()) {
+        Result<BumpTexture> read = read_bump(options.bump);
+        if (!read) return tl::unexpected(read.error());
+        bump = std::move(*read);
+    }
+    return renderer.set_textures(options.texture.empty() ? nullptr : &colour, options.bump.empty() ? nullptr : &bump);
+}
+
 Result<ShapeRenderOptions> resolve_picture(const ShapePicture& given, const RenderShapeOptions& options) {
     const Result<ShapeSolid> solid = resolve_solid(options.solid);
     if (!solid) return tl::unexpected(solid.error());
@@ -81,6 +110,7 @@ void add_render_shape_options(CLI::App& app, RenderShapeOptions& options) {
     add_solid_options(app, options.solid);
     add_choice(app, "--projection", options.projection, projection_words, "Revolution: how textures lie on it (default cylindrical)");
     app.add_option("--texture", options.texture, "Picture to lay on the solid")->type_name("FILE");
+    app.add_option("--bump", options.bump, "Derivatives of a height map, for bumps (reliefbake bump)")->type_name("FILE");
     add_number(app, "--bump-scale", options.bump_scale, finite_number, "Depth of the bumps, texture widths (default 1)");
     app.add_option_function<std::string>(
            "--texture-tiles", [&options](const std::string& given) { options.texture_tiles = parse_tiles(given); },
@@ -89,20 +119,16 @@ void add_render_shape_options(CLI::App& app, RenderShapeOptions& options) {
 }
 
 Result<void> render_shape(const ShapePicture& given, const RenderShapeOptions& options) {
-    if (given.picture.shadow == Shadow::height_soft || given.picture.shadow == Shadow::cone_soft)
+    if (given.picture.shadow != Shadow::none && given.picture.shadow != Shadow::hard)
         return fail(ErrorCode::usage, "--shadow: solids of shape maps cast hard shadows (--shadow hard)");
     const Result<ShapeRenderOptions> picture = resolve_picture(given, options);
     if (!picture) return tl::unexpected(picture.error());
-    const Result<ShapeMap> map = read_shape_map(given.file);
+    const Result<ShapeMap> map = read_shape_map(given.file, given.max_bytes);
     if (!map) return tl::unexpected(map.error());
     Result<ShapeRenderer> renderer = ShapeRenderer::create(given.backend);
     if (!renderer) return tl::unexpected(renderer.error());
     if (Result<void> loaded = renderer->load(*map); !loaded) return loaded;
-    if (!options.texture.empty()) {
-        const Result<ColourTexture> colour = read_colour(options.texture);
-        if (!colour) return tl::unexpected(colour.error());
-        if (Result<void> laid = renderer->set_textures(&*colour, nullptr); !laid) return laid;
-    }
+    if (Result<void> laid = lay_textures(*renderer, options); !laid) return laid;
     const Result<ShapeRendering> rendering = renderer->render(*picture);
     if (!rendering) return fail(rendering.error().code, given.file + ": " + rendering.error().message);
     return write_png(given.output, rendering->colour.width, rendering->colour.height, 3, rendering->colour.rgb);

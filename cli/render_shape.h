@@ -23,6 +23,7 @@ void add_render_shape_options(CLI::App& app, RenderShapeOptions& options);
 /// What the command line says beside them.
 struct ShapePicture {
     std::string file;
+    std::uint64_t max_bytes;
     std::string output;
     const RenderOptions& picture; ///< view, light, size
     std::optional<int> steps, binary_steps;

@@ -21,7 +21,7 @@ const Words<CircleScheme> scheme_words = {{"corrected", CircleScheme::corrected}
 } // namespace
 
 void add_solid_options(CLI::App& app, SolidOptions& options) {
-    app.option_defaults()->group("Solid (shape maps)");
+    app.option_defaults()->group(solid_group);
     add_number(app, "--e", options.outward, growth_number, "Extension: grows the shape, texture widths");
     add_number(app, "--b", options.bevel, growth_number, "Bevel: grows it this much more per unit of depth, texture widths");
     add_number(app, "--c", options.chamfer, depth_number, "Chamfer: the depth from which on walls are upright again, 0 to 1 (with --b)");
@@ -31,7 +31,7 @@ void add_solid_options(CLI::App& app, SolidOptions& options) {
 }
 
 void add_solid_kind_options(CLI::App& app, SolidOptions& options) {
-    app.option_defaults()->group("Solid (shape maps)");
+    app.option_defaults()->group(solid_group);
     add_choice(app, "--solid", options.kind, solid_words, "What is made of the shape (default extrusion)");
     add_choice(app, "--on", options.on_plane, place_words, "Extrusion: standing in a plane, or in a box of the map's size (default plane)");
 }
@@ -40,7 +40,7 @@ Result<void> refuse_given(const CLI::App& app, const std::string& group, std::in
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
         const bool listed = std::any_of(flags.begin(), flags.end(), [&](const char* flag) { return name == flag; });
-        if (option->count() > 0 && (option->get_group() == group || listed)) return fail(ErrorCode::usage, name + ": " + why);
+        if (option->count() > 0 && ((!group.empty() && option->get_group() == group) || listed)) return fail(ErrorCode::usage, name + ": " + why);
     }
     return {};
 }

@@ -17,13 +17,16 @@ struct SolidOptions {
     std::optional<CircleScheme> scheme;
 };
 
-/// Adds --e, --b, --c, --axis, --depth-scale, --scheme, in the option group "Solid".
+/// The option group of all that shape maps alone take.
+constexpr const char* solid_group = "Solid (shape maps)";
+
+/// Adds --e, --b, --c, --axis, --depth-scale, --scheme.
 void add_solid_options(CLI::App& app, SolidOptions& options);
 
 /// Adds --solid and --on too.
 void add_solid_kind_options(CLI::App& app, SolidOptions& options);
 
-/// Refuses (usage) the first option given whose group is `group`, or whose flag is one of `flags`: "FLAG: `why`".
+/// Refuses (usage) the first option given whose group is `group` (empty: none), or whose flag is one of `flags`: "FLAG: `why`".
 Result<void> refuse_given(const CLI::App& app, const std::string& group, std::initializer_list<const char*> flags, const std::string& why);
 
 /// Refuses (usage) options that do not fit the kind.

@@ -77,10 +77,9 @@ void VerifyCommand::add_to(CLI::App& app) {
 }
 
 Result<void> VerifyCommand::run_shape() const {
-    for (const char* group : {"Map", "Source"}) {
-        Result<void> fits = refuse_given(*app_, group, {"--technique", "--exact-finish", "--crop"}, options_.file + " is a shape map, which does not take it");
-        if (!fits) return fits;
-    }
+    if (Result<void> hinted = refuse_hints(options_.hints, options_.file, "shape"); !hinted) return hinted;
+    Result<void> fits = refuse_given(*app_, "Source", {"--technique", "--exact-finish", "--crop"}, options_.file + " is a shape map, which does not take it");
+    if (!fits) return fits;
     const Result<int> threads = resolve_threads(options_.verify.threads);
     if (!threads) return tl::unexpected(threads.error());
     ShapeVerifyOptions options;
@@ -92,7 +91,7 @@ Result<void> VerifyCommand::run_shape() const {
     options.steps = options_.technique.steps.value_or(options.steps);
     options.binary_steps = options_.technique.binary_steps.value_or(options.binary_steps);
     options.threads = *threads;
-    return verify_shape_file(options_.file, options_.solid, options, options_.json, options_.pictures);
+    return verify_shape_file({options_.file, options_.hints.max_bytes}, options_.solid, options, options_.json, options_.pictures);
 }
 
 Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
@@ -128,7 +127,7 @@ Result<void> VerifyCommand::run() {
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
     if (*kind != "shape")
-        if (Result<void> fits = refuse_given(*app_, "Solid (shape maps)", {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
+        if (Result<void> fits = refuse_given(*app_, solid_group, {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
     if (bump_kind_of(*kind)) return run_bump(*kind);
     VerifyOptions options = options_.verify;
     const Result<int> threads = resolve_threads(options.threads);

@@ -33,7 +33,7 @@ Result<void> write_pictures(const std::string& folder, const ShapeVerifyReport& 
 
 } // namespace
 
-Result<void> verify_shape_file(const std::string& file, const SolidOptions& solid, ShapeVerifyOptions options, bool json,
+Result<void> verify_shape_file(const ShapeFile& file, const SolidOptions& solid, ShapeVerifyOptions options, bool json,
                                const std::string& pictures) {
     options.outward = solid.outward.value_or(options.outward);
     options.bevel = solid.bevel.value_or(options.bevel);
@@ -42,17 +42,17 @@ Result<void> verify_shape_file(const std::string& file, const SolidOptions& soli
     options.depth_scale = solid.depth_scale.value_or(options.depth_scale);
     options.scheme = solid.scheme.value_or(options.scheme);
     options.pictures = !pictures.empty();
-    const Result<ShapeMap> map = read_shape_map(file);
+    const Result<ShapeMap> map = read_shape_map(file.name, file.max_bytes);
     if (!map) return tl::unexpected(map.error());
     const Result<ShapeVerifyReport> report = verify_shape(*map, options);
-    if (!report) return fail(report.error().code, file + ": " + report.error().message);
+    if (!report) return fail(report.error().code, file.name + ": " + report.error().message);
     std::fputs((json ? to_json(*report).dump(2) + "\n" : verify_text(*report)).c_str(), stdout);
     if (options.pictures) {
         const Result<void> written = write_pictures(pictures, *report);
         if (!written) return written;
     }
     if (report->verdict != Verdict::unsafe) return {};
-    return fail(ErrorCode::verification, file + ": unsafe: its distances reach into the shape; bake it again");
+    return fail(ErrorCode::verification, file.name + ": unsafe: its distances reach into the shape; bake it again");
 }
 
 } // namespace reliefbake

@@ -7,7 +7,7 @@
 uniform sampler2D solid_colour; // linear colour
 #endif
 #if SOLID_BUMP
-uniform sampler2D solid_bump;   // (dH/du, dH/dv, height, -), per texture width and per texture height
+uniform sampler2D solid_bump;   // (dH/du, dH/dv, -, -): height per width of this texture, v down
 uniform float solid_bump_scale; // a of 003 (5); > 0: what is high stands out
 #endif
 uniform vec2 solid_texture_tiles; // repeats of both over the solid

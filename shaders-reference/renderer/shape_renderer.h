@@ -11,10 +11,10 @@
 
 namespace reliefbake {
 
-/// Slopes of a height texture: 003's depth map. Channels hold the numbers themselves, whatever their file stores.
+/// Slopes of a height texture, 003's depth map; the numbers themselves, whatever their file stores.
 struct BumpTexture {
     TexelGrid grid;
-    Image<float> slope_u, slope_v; ///< dH/du, dH/dv per texture width and per texture height
+    Image<float> slope_u, slope_v; ///< dH/du, dH/dv / aspect: height per width of this texture; v down
 };
 
 /// A picture to lay on a solid: linear light, repeated.
