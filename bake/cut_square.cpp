@@ -27,6 +27,12 @@ double reach_of(double a, double b, double area) {
     return 0.5 * (a + b) - std::sqrt(2 * a * b * (1 - area));
 }
 
+/// There a sampler repeats the texel's value outwards for half a texel, and only a whole square looks the same from all of that strip.
+bool is_at_clamped_border(const TexelGrid& grid, int x, int y) {
+    const auto at_end = [](int i, int count, Wrap wrap) { return wrap == Wrap::clamp && (i == 0 || i == count - 1); };
+    return at_end(x, grid.width, grid.wrap_x) || at_end(y, grid.height, grid.wrap_y);
+}
+
 } // namespace
 
 double CutSquare::distance(double x, double y) const {
@@ -53,7 +59,7 @@ double CutSquare::distance(double x, double y) const {
 
 CutSquare cut_square(const Image<float>& coverage, const TexelGrid& grid, int x, int y) {
     const double area = coverage(x, y);
-    if (area >= 1) return {};
+    if (area >= 1 || is_at_clamped_border(grid, x, y)) return {};
     const int left = grid.address_x(x - 1), right = grid.address_x(x + 1), above = grid.address_y(y - 1), below = grid.address_y(y + 1);
     const double root = std::sqrt(2.0); // the paper's weights
     const double fall_x = double(coverage(left, above)) + root * coverage(left, y) + coverage(left, below) - coverage(right, above) -

@@ -20,7 +20,8 @@ struct CutSquare {
 };
 
 /// The cut of a texel with coverage in (0, 1], across the gradient of the coverage around it, such that what is left has the coverage
-/// as area. A texel with no gradient stays whole.
+/// as area. A texel with no gradient, or at a
+/// clamped border, stays whole.
 CutSquare cut_square(const Image<float>& coverage, const TexelGrid& grid, int x, int y);
 
 } // namespace reliefbake
