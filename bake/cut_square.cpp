@@ -67,9 +67,10 @@ CutSquare cut_square(const Image<float>& coverage, const TexelGrid& grid, int x,
     const double fall_y = double(coverage(left, above)) + root * coverage(x, above) + coverage(right, above) - coverage(left, below) -
                           root * coverage(x, below) - coverage(right, below);
     const double length = std::sqrt(fall_x * fall_x + fall_y * fall_y);
-    if (!(length > 0)) return {};
+    constexpr double rounding = 1e-9; // what opposite differences that cancel may leave
+    if (!(length > rounding)) return {};
     const double nx = fall_x / length, ny = fall_y / length;
-    const auto [small, large] = std::minmax(std::fabs(nx), std::fabs(ny));
+    const auto [small, large] = std::minmax({std::fabs(nx), std::fabs(ny)});
     return {nx, ny, reach_of(large, small, area)};
 }
 

@@ -98,8 +98,10 @@ void unit_gradients(const Image<float>& distance, const TexelGrid& grid, int thr
             const double dx = side * (along_x(0) + along_x(2)) + middle * along_x(1);
             const double dy = side * (along_y(left) + along_y(right)) + middle * along_y(x);
             const double length = std::sqrt(dx * dx + dy * dy);
-            gx(x, y) = length > 0 ? float(dx / length) : 0;
-            gy(x, y) = length > 0 ? float(dy / length) : 0;
+            constexpr double rounding = 1e-5; // of distances: where they cancel there is no direction
+            const bool has_one = length > rounding * (1 + std::fabs(double(rows[1][x])));
+            gx(x, y) = has_one ? float(dx / length) : 0;
+            gy(x, y) = has_one ? float(dy / length) : 0;
         }
     });
 }
