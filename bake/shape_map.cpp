@@ -1,30 +1,82 @@
 #include "bake/shape_map.h"
 
+#include "bake/contour_distance.h"
+#include "bake/danielsson.h"
 #include "bake/distance_transform.h"
 #include "bake/parallel.h"
 #include "bake/stored_code.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace reliefbake {
 
 namespace {
 
-/// Distances in texels: to the shape outside it; inside it 0, or minus that to its outside.
-Image<float> signed_distances(const BinaryShape& shape, const ShapeMapOptions& options) {
+/// What distances are measured to.
+struct Side {
+    const BinaryShape& shape;
+    const Image<float>& coverage; ///< as stored; of ShapeModel::contour
+};
+
+DistanceOptions transform_options(const BinaryShape& shape, int threads) {
     const TexelGrid& grid = shape.grid();
-    DistanceOptions to;
-    to.to = shape.model() == ShapeModel::centres ? DistanceTo::centres : DistanceTo::squares;
-    to.wrap_x = grid.wrap_x == Wrap::repeat, to.wrap_y = grid.wrap_y == Wrap::repeat;
-    to.threads = options.threads;
-    Image<float> distance = distance_transform(shape.outside(), to);
-    if (options.signed_distance) {
-        to.set = 1;
-        const Image<float> inner = distance_transform(shape.outside(), to);
-        for (std::size_t k = 0; k < distance.size(); ++k) distance[k] -= inner[k] * float(1 - shape.outside()[k]);
-    }
+    DistanceOptions options;
+    options.to = shape.model() == ShapeModel::centres ? DistanceTo::centres : DistanceTo::squares;
+    options.wrap_x = grid.wrap_x == Wrap::repeat, options.wrap_y = grid.wrap_y == Wrap::repeat;
+    options.threads = threads;
+    return options;
+}
+
+template <class T>
+Image<T> one_minus(Image<T> image) {
+    for (T& v : image) v = T(1 - v);
+    return image;
+}
+
+/// Distances, in texels, to the shape, or to its outside.
+Image<float> distances_to(const Side& side, bool outside, const ShapeMapOptions& options) {
+    const BinaryShape& shape = side.shape;
+    if (shape.model() == ShapeModel::contour)
+        return contour_distances(outside ? one_minus(side.coverage) : side.coverage, shape.grid(), options.threads);
+    if (options.method == DistanceMethod::danielsson)
+        return danielsson_distances(outside ? one_minus(shape.outside()) : shape.outside());
+    DistanceOptions to = transform_options(shape, options.threads);
+    to.set = outside;
+    return distance_transform(shape.outside(), to);
+}
+
+/// Distances in texels: to the shape outside it; inside it 0, or minus that to its outside.
+Image<float> signed_distances(const Side& side, const ShapeMapOptions& options) {
+    Image<float> distance = distances_to(side, false, options);
+    if (!options.signed_distance) return distance;
+    const Image<float> inner = distances_to(side, true, options);
+    for (std::size_t k = 0; k < distance.size(); ++k)
+        if (distance[k] == 0) distance[k] = -inner[k];
     return distance;
+}
+
+/// How far Danielsson's distances are from the exact ones.
+void measure_error(const BinaryShape& shape, const ShapeMapOptions& options, const Image<float>& distance, ShapeMapInfo& info) {
+    ShapeMapOptions exact = options;
+    exact.method = DistanceMethod::exact;
+    const Image<float> right = signed_distances({shape, {}}, exact);
+    double most = 0, wrong = 0;
+    for (std::size_t k = 0; k < right.size(); ++k) {
+        wrong += distance[k] != right[k];
+        if (distance[k] != right[k]) most = std::max(most, std::fabs(double(distance[k]) - right[k]));
+    }
+    info.statistics["wrong_texels"] = wrong;
+    info.statistics["error_max"] = most;
+}
+
+Result<void> check_options(const BinaryShape& shape, const ShapeMapOptions& options) {
+    if (!(options.scale_f > 0 && options.scale_f <= 1)) return fail(ErrorCode::usage, "scale f: expected a number above 0, at most 1");
+    if (options.method == DistanceMethod::exact) return {};
+    const bool plain = shape.model() == ShapeModel::centres && shape.grid().wrap_x == Wrap::clamp && shape.grid().wrap_y == Wrap::clamp;
+    if (plain) return {};
+    return fail(ErrorCode::usage, "method danielsson: measures to texel centres alone, and not around the border of a tile");
 }
 
 float largest_magnitude(const Image<float>& plane) {
@@ -33,7 +85,7 @@ float largest_magnitude(const Image<float>& plane) {
     return most;
 }
 
-/// Sobel's weights for smooth differences in any direction: Scharr (2000), 3 10 3.
+/// Central differences with Scharr's weights 3, 10, 3 (2000), which keep directions best.
 void unit_gradients(const Image<float>& distance, const TexelGrid& grid, int threads, Image<float>& gx, Image<float>& gy) {
     gx = gy = Image<float>(grid.width, grid.height);
     parallel_for(grid.height, threads, [&](int y) {
@@ -46,8 +98,10 @@ void unit_gradients(const Image<float>& distance, const TexelGrid& grid, int thr
             const double dx = side * (along_x(0) + along_x(2)) + middle * along_x(1);
             const double dy = side * (along_y(left) + along_y(right)) + middle * along_y(x);
             const double length = std::sqrt(dx * dx + dy * dy);
-            gx(x, y) = length > 0 ? float(dx / length) : 0;
-            gy(x, y) = length > 0 ? float(dy / length) : 0;
+            constexpr double rounding = 1e-5; // of distances: where they cancel there is no direction
+            const bool has_one = length > rounding * (1 + std::fabs(double(rows[1][x])));
+            gx(x, y) = has_one ? float(dx / length) : 0;
+            gy(x, y) = has_one ? float(dy / length) : 0;
         }
     });
 }
@@ -65,6 +119,15 @@ float stored_below(double code, BitDepth bits) {
 }
 
 float stored_above(double code, BitDepth bits) { return stored_value(code_at_least(code, bits), bits); }
+
+/// 0 inside, 1 outside; of a contour, the part of each texel that is outside, to the nearest code: what is stored is what is measured.
+Image<float> stored_shape_plane(const BinaryShape& shape, BitDepth bits) {
+    Image<float> plane(shape.grid().width, shape.grid().height);
+    const bool contour = shape.model() == ShapeModel::contour;
+    for (std::size_t k = 0; k < plane.size(); ++k)
+        plane[k] = contour ? stored_value(nearest_code(1 - double(shape.coverage()[k]), bits), bits) : float(shape.outside()[k]);
+    return plane;
+}
 
 /// A quotient -1..1 as its code, rounded down.
 float stored_distance(double quotient, const ShapeMapInfo& info) {
@@ -85,10 +148,12 @@ double safe_distance(double distance, const TexelGrid& grid) {
 }
 
 Result<ShapeMap> bake_shape_map(const BinaryShape& shape, const ShapeMapOptions& options) {
-    if (!(options.scale_f > 0 && options.scale_f <= 1)) return fail(ErrorCode::usage, "scale f: expected a number above 0, at most 1");
+    if (Result<void> checked = check_options(shape, options); !checked) return tl::unexpected(checked.error());
     const TexelGrid& grid = shape.grid();
     const float diagonal = float(std::hypot(double(grid.width), double(grid.height)));
-    Image<float> distance = signed_distances(shape, options);
+    Image<float> mask = stored_shape_plane(shape, options.bits);
+    const Image<float> coverage = shape.model() == ShapeModel::contour ? one_minus(mask) : Image<float>();
+    Image<float> distance = signed_distances({shape, coverage}, options);
     for (float& d : distance) d = std::clamp(d, -diagonal, diagonal);
 
     ShapeMap map;
@@ -106,14 +171,15 @@ Result<ShapeMap> bake_shape_map(const BinaryShape& shape, const ShapeMapOptions&
     if (options.method == DistanceMethod::exact) map.info.guarantee.assign(1, 'S');
     map.info.statistics["inside_texels"] = double(shape.inside_count());
 
+    if (options.method == DistanceMethod::danielsson) measure_error(shape, options, distance, map.info);
+
     unit_gradients(distance, grid, options.threads, map.gradient_x, map.gradient_y);
     for (float& g : map.gradient_x) g = stored_direction(g, options.bits);
     for (float& g : map.gradient_y) g = stored_direction(g, options.bits);
     const double per_code = options.scale_f * largest;
     for (float& d : distance) d = stored_distance(d / per_code, map.info);
     map.distance = std::move(distance);
-    map.shape = Image<float>(grid.width, grid.height);
-    for (std::size_t k = 0; k < map.shape.size(); ++k) map.shape[k] = shape.outside()[k];
+    map.shape = std::move(mask);
     return map;
 }
 

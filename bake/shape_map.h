@@ -29,7 +29,7 @@ struct ShapeMapInfo {
     std::string version;          ///< of reliefbake
     std::string source_hash;      ///< XXH3-128 of the decoded source plane
     std::string argument_hash;    ///< XXH3-128 of the options that fix the result
-    std::map<std::string, double> statistics; ///< inside_texels
+    std::map<std::string, double> statistics; ///< inside_texels; danielsson: wrong_texels, error_max (texels)
 };
 
 /// Channels hold what a sampler returns. File channels: R = gradient_x, G = gradient_y, B = distance, A = shape.
@@ -41,7 +41,7 @@ struct ShapeMap {
     Image<float> gradient_x, gradient_y;
     /// Code c. Distance in texture widths: tau c, or signed tau (2 c - 1) in unorm formats; floating signed: tau c, c in -1..1.
     Image<float> distance;
-    Image<float> shape; ///< 0 inside, 1 outside
+    Image<float> shape; ///< 0 inside, 1 outside; model contour: 1 - coverage
 };
 
 /// The distance, in texture widths, that a sampled code stands for.
@@ -62,7 +62,7 @@ struct ShapeMapOptions {
     int threads = 0;              ///< the result does not depend on it (--threads)
 };
 
-/// Errors: usage: scale_f outside its range.
+/// Errors: usage: scale_f outside its range; danielsson with another model than centres, or a tile.
 /// Defined where there is nothing to measure: an empty shape lies as far as the map's diagonal from everywhere, and so does the
 /// outside of a full one (signed); a full shape without sign has tau of one texel and distance 0.
 /// Guarantee S: safe_distance of the decoded and bilinearly filtered distance never exceeds the distance to the shape, for every

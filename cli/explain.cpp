@@ -1,6 +1,7 @@
 #include "cli/explain.h"
 
 #include "cli/explain_bump.h"
+#include "cli/explain_shape.h"
 #include "cli/explain_text.h"
 #include "cli/map_hint_options.h"
 #include "formats/bump_file.h"
@@ -21,6 +22,14 @@ Result<void> explain_bump(const std::string& file, const std::string& kind, cons
     return {};
 }
 
+Result<void> explain_shape(const std::string& file, const MapHints& hints, bool as_json) {
+    if (Result<void> checked = refuse_hints(hints, file, "shape"); !checked) return checked;
+    const Result<ShapeMap> map = read_shape_map(file, hints.max_bytes);
+    if (!map) return tl::unexpected(map.error());
+    std::fputs((as_json ? to_json(map->info, map->grid).dump(2) + "\n" : explain_shape_text(*map)).c_str(), stdout);
+    return {};
+}
+
 } // namespace
 
 void ExplainCommand::add_to(CLI::App& app) {
@@ -33,6 +42,7 @@ Result<void> ExplainCommand::run() {
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
     if (bump_kind_of(*kind)) return explain_bump(options_.file, *kind, options_.hints, options_.json);
+    if (*kind == "shape") return explain_shape(options_.file, options_.hints, options_.json);
     MapHints hints = options_.hints;
     hints.cones_suffice = true;
     const Result<ReliefMap> map = read_map(options_.file, hints);

@@ -65,6 +65,8 @@ Result<void> check_combination(const ShapeCommandOptions& o) {
         return fail(ErrorCode::usage, "--threshold: an anti-aliased edge lies where half of a texel is covered; leave it out with --antialiased");
     if (o.bake.method == DistanceMethod::danielsson && (o.antialiased || o.model == ShapeModel::squares))
         return fail(ErrorCode::usage, "--method danielsson: measures to texel centres alone; use --model centres");
+    if (o.bake.method == DistanceMethod::danielsson && (o.wrap_x == Wrap::repeat || o.wrap_y == Wrap::repeat))
+        return fail(ErrorCode::usage, "--method danielsson: does not reach around a tile's border; leave out --wrap");
     if (o.named && extension_of(o.output) != ".exr")
         return fail(ErrorCode::usage, "--exr-layout: needs an .exr output, found '" + o.output + "'");
     return {};

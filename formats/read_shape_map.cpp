@@ -38,9 +38,12 @@ Result<std::vector<int>> channel_indices(const ShapeMapInfo& info, const std::ve
 /// Floating formats can hold what no map means.
 Result<void> check_values(const ShapeMap& map, const std::string& name) {
     const float least = map.info.signed_distance && !is_unorm(map.info.bits) ? -1 : 0;
+    const bool contour = map.info.model == ShapeModel::contour;
     for (std::size_t k = 0; k < map.shape.size(); ++k) {
         if (!(map.distance[k] >= least && map.distance[k] <= 1)) return fail(ErrorCode::bad_data, name + ": its distance channel leaves its range");
-        if (map.shape[k] != 0 && map.shape[k] != 1) return fail(ErrorCode::bad_data, name + ": its shape channel holds other values than 0 and 1");
+        const float outside = map.shape[k];
+        if (!(contour ? outside >= 0 && outside <= 1 : outside == 0 || outside == 1))
+            return fail(ErrorCode::bad_data, name + ": its shape channel " + (contour ? "leaves 0..1" : "holds other values than 0 and 1"));
         if (!(map.gradient_x[k] >= -1 && map.gradient_x[k] <= 1 && map.gradient_y[k] >= -1 && map.gradient_y[k] <= 1))
             return fail(ErrorCode::bad_data, name + ": its gradient channels leave -1..1");
     }

@@ -8,61 +8,73 @@ namespace {
 
 constexpr int columns = ring_unknowns + 1, right_hand_side = ring_unknowns;
 
-/// R of Q R = A P, with Q' b as its last column: row k belongs to the k-th pivot.
+/// R of Q D R = A P, with ones on R's diagonal, and D^-1 Q' b as its last column: row k belongs to the k-th pivot. Without D's
+/// lengths no root is taken.
 struct Triangular {
     std::array<std::array<double, columns>, ring_unknowns> row;
     std::array<int, ring_unknowns> pivot;
     int rank = 0;
 };
 
+using Columns = std::array<double, columns>;
+
+/// An equation in SIMD registers: written out, since compilers make slow code of six numbers in a row.
+struct Pairs {
+    using Pair [[gnu::vector_size(16)]] = double;
+    Pair a{}, b{}, c{};
+
+    Pairs() = default;
+    explicit Pairs(const Equation& e) : a{e[0], e[1]}, b{e[2], e[3]}, c{e[4], e[5]} {}
+    Columns numbers() const { return {a[0], a[1], b[0], b[1], c[0], c[1]}; }
+    void add_product(const Pairs& x, double factor) { a += x.a * factor, b += x.b * factor, c += x.c * factor; }
+    void add_squares(const Pairs& x) { a += x.a * x.a, b += x.b * x.b, c += x.c * x.c; }
+};
+
 /// Squared length of each column.
-std::array<double, columns> squared_lengths(std::span<const Equation> equations) {
-    std::array<double, columns> sum{};
-    for (const Equation& e : equations)
-        for (int j = 0; j < columns; ++j) sum[j] += e[j] * e[j];
-    return sum;
+Columns squared_lengths(std::span<const Equation> equations) {
+    Pairs sum;
+    for (const Equation& e : equations) sum.add_squares(Pairs(e));
+    return sum.numbers();
 }
 
-/// Takes the pivot's direction out of all columns; fills R's row and the lengths that are left.
-void eliminate(std::span<Equation> equations, int pivot, std::array<double, columns>& row, std::array<double, columns>& left) {
-    const double length = std::sqrt(left[pivot]), inverse = 1 / length;
-    std::array<double, columns> dot{};
-    for (const Equation& e : equations) {
-        const double q = e[pivot] * inverse;
-        for (int j = 0; j < columns; ++j) dot[j] += q * e[j];
-    }
-    row = dot;
-    left = {};
+/// Takes the pivot's direction out of all columns, those that were pivots too; gives R's row and the squared lengths that are left.
+void eliminate(std::span<Equation> equations, int pivot, double squared_length, Columns& row, Columns& left) {
+    Pairs dots, r, rest;
+    for (const Equation& e : equations) dots.add_product(Pairs(e), e[pivot]);
+    r.add_product(dots, 1 / squared_length);
     for (Equation& e : equations) {
-        const double q = e[pivot] * inverse;
-        for (int j = 0; j < columns; ++j) {
-            e[j] -= q * dot[j];
-            left[j] += e[j] * e[j];
-        }
+        Pairs x(e);
+        x.add_product(r, -e[pivot]);
+        e = x.numbers();
+        rest.add_squares(x);
     }
+    row = r.numbers();
+    left = rest.numbers();
 }
 
-Triangular triangulate(std::span<Equation> equations, double tolerance, double& residual_squared, double& smallest_pivot) {
+Triangular triangulate(std::span<Equation> equations, double tolerance, ShortestSolution& solution) {
     Triangular r;
-    std::array<double, columns> left = squared_lengths(equations);
+    Columns left = squared_lengths(equations);
     std::array<bool, ring_unknowns> used{};
-    double first = 0;
+    double first = 0, last = 0;
     for (int k = 0; k < ring_unknowns && k < int(equations.size()); ++k) {
         int pivot = -1;
         for (int j = 0; j < ring_unknowns; ++j)
             if (!used[j] && (pivot < 0 || left[j] > left[pivot])) pivot = j;
         if (k == 0) first = left[pivot];
         if (!(left[pivot] > tolerance * tolerance * first)) break;
-        smallest_pivot = std::sqrt(left[pivot] / first);
+        last = left[pivot];
         used[pivot] = true;
         r.pivot[k] = pivot;
-        eliminate(equations, pivot, r.row[k], left);
+        eliminate(equations, pivot, last, r.row[k], left);
         r.rank = k + 1;
     }
     int free = r.rank;
     for (int j = 0; j < ring_unknowns; ++j)
         if (!used[j]) r.pivot[free++] = j;
-    residual_squared = left[right_hand_side];
+    solution.rank = r.rank;
+    solution.residual_squared = left[right_hand_side];
+    solution.smallest_pivot = r.rank > 0 ? std::sqrt(last / first) : 0;
     return r;
 }
 
@@ -72,7 +84,7 @@ std::array<double, ring_unknowns> substitute_back(const Triangular& r, int colum
     for (int k = r.rank - 1; k >= 0; --k) {
         double sum = r.row[k][column];
         for (int m = k + 1; m < r.rank; ++m) sum -= r.row[k][r.pivot[m]] * x[m];
-        x[k] = sum / r.row[k][r.pivot[k]];
+        x[k] = sum;
     }
     return x;
 }
@@ -119,8 +131,7 @@ void shorten(const Triangular& r, std::array<double, ring_unknowns>& u, std::arr
 
 ShortestSolution solve_shortest(std::span<Equation> equations, double tolerance) {
     ShortestSolution solution;
-    const Triangular r = triangulate(equations, tolerance, solution.residual_squared, solution.smallest_pivot);
-    solution.rank = r.rank;
+    const Triangular r = triangulate(equations, tolerance, solution);
     std::array<double, ring_unknowns> u = substitute_back(r, right_hand_side), w{};
     if (r.rank < ring_unknowns) shorten(r, u, w);
     for (int k = 0; k < r.rank; ++k) solution.x[r.pivot[k]] = u[k];

@@ -14,6 +14,24 @@ std::uint32_t corner_before(std::uint32_t k) { return k == 0 ? 2 : k - 1; }
 
 } // namespace
 
+/// The common case, without a branch for each pair: every neighbour is left once and come from once.
+bool Ring::take_closed_fan(std::span<const std::uint32_t> after, std::span<const std::uint32_t> before) {
+    std::array<std::uint32_t, few_corners> met{};
+    std::uint32_t good = 1;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        std::uint32_t partners = 0;
+        for (std::size_t j = 0; j < before.size(); ++j) {
+            const std::uint32_t same = after[i] == before[j];
+            partners += same;
+            met[j] += same;
+        }
+        good &= partners == 1;
+    }
+    for (std::size_t j = 0; j < before.size(); ++j) good &= met[j] == 1;
+    if (good) neighbours_.assign(after.begin(), after.end());
+    return good;
+}
+
 void Ring::add(std::uint32_t neighbour, int direction) {
     for (std::size_t k = 0; k < neighbours_.size(); ++k)
         if (neighbours_[k] == neighbour) {
@@ -72,13 +90,20 @@ void Ring::gather(std::uint32_t position) {
     normal_ = Imath::V3d(0), flags_ = 0, zero_area_corners_ = 0;
     const std::span<const std::uint32_t> corners = surface_.lists.at(position);
     const Imath::V3d& here = surface_.points[position];
+    std::array<std::uint32_t, few_corners> afters, befores;
+    std::size_t count = 0;
+    const bool few = corners.size() <= few_corners;
     for (const std::uint32_t corner : corners) {
         const Triangle& t = surface_.lists.places[corner / 3];
         const std::uint32_t k = corner % 3, after = t[corner_after(k)], before = t[corner_before(k)];
         add_normal(surface_.points[after] - here, surface_.points[before] - here, k == 0);
-        if (corners.size() <= few_corners) add(after, 0), add(before, 1);
+        if (few) afters[count] = after, befores[count++] = before;
     }
-    if (corners.size() > few_corners) add_many(corners);
+    if (!few) {
+        add_many(corners);
+    } else if (!take_closed_fan(std::span(afters).first(count), std::span(befores).first(count))) {
+        for (std::size_t n = 0; n < count; ++n) add(afters[n], 0), add(befores[n], 1);
+    }
     classify(corners.size());
 }
 

@@ -22,6 +22,7 @@ class Ring {
     std::size_t zero_area_corners() const { return zero_area_corners_; } ///< first corners of triangles without area
 
   private:
+    bool take_closed_fan(std::span<const std::uint32_t> after, std::span<const std::uint32_t> before);
     void add(std::uint32_t neighbour, int direction);
     void add_many(std::span<const std::uint32_t> corners);
     void add_normal(const Imath::V3d& a, const Imath::V3d& b, bool first_corner);
@@ -30,7 +31,7 @@ class Ring {
     const WeldedSurface& surface_;
     std::uint32_t position_ = 0;
     std::vector<std::uint32_t> neighbours_;
-    std::vector<std::array<std::uint32_t, 2>> uses_; ///< for each neighbour: triangles that leave and that come along its edge
+    std::vector<std::array<std::uint32_t, 2>> uses_; ///< triangles that leave and that come along each neighbour's edge; empty for a closed fan
     std::vector<std::array<std::uint32_t, 2>> sorting_;
     Imath::V3d normal_{0};
     std::uint16_t flags_ = 0;

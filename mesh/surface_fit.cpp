@@ -13,6 +13,7 @@ namespace reliefbake {
 namespace {
 
 constexpr std::size_t block_positions = 4096;
+int block_count(std::size_t positions) { return int((positions + block_positions - 1) / block_positions); }
 
 /// The unknowns of a ring over its radius: two squares, the mixed term so that the solution's length does not depend on the
 /// basis (it is the form's Frobenius norm), two linear terms.
@@ -103,13 +104,18 @@ WeldedSurface weld_surface(const Mesh& mesh, int threads) {
     surface.weld = weld_positions(mesh.positions, threads);
     surface.lists = list_corners(mesh, surface.weld, threads);
     surface.scale = box_scale(mesh, surface.weld);
-    for (const std::uint32_t v : surface.weld.first_vertex) surface.points.push_back(mesh.positions[v] * surface.scale);
+    surface.points.resize(surface.weld.first_vertex.size());
+    parallel_for(block_count(surface.points.size()), threads, [&](int block) {
+        const std::size_t first = std::size_t(block) * block_positions;
+        for (std::size_t p = first; p < std::min(first + block_positions, surface.points.size()); ++p)
+            surface.points[p] = mesh.positions[surface.weld.first_vertex[p]] * surface.scale;
+    });
     return surface;
 }
 
 SurfaceFit fit_surface(const WeldedSurface& surface, int threads) {
     const std::size_t count = surface.points.size();
-    const int blocks = int((count + block_positions - 1) / block_positions);
+    const int blocks = block_count(count);
     SurfaceFit fit;
     fit.forms.resize(count);
     std::vector<std::size_t> zero_area(std::size_t(blocks), 0);

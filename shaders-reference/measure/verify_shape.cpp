@@ -1,5 +1,6 @@
 #include "shaders-reference/measure/verify_shape.h"
 
+#include "shaders-reference/measure/check_contour.h"
 #include "shaders-reference/measure/heat_map.h"
 
 #include <algorithm>
@@ -111,11 +112,19 @@ Result<void> judge_solid(ShapeRenderer& renderer, const PixelShape& shape, Solid
     return {};
 }
 
+/// Distances alone: the solids' oracle knows squares, not cut ones.
+ShapeVerifyReport verify_contour(const ShapeMap& map, const ShapeVerifyOptions& options) {
+    ShapeVerifyReport report;
+    report.distances = check_contour(map, stored_contour(map), options.points, options.seed, options.threads);
+    report.allowed_gap = allowed_gap(map, options.filter, ShapeRenderOptions().epsilon);
+    if (report.distances.violations > 0) report.verdict = map.info.guarantee == "S" ? Verdict::unsafe : Verdict::not_conservative;
+    return report;
+}
+
 } // namespace
 
 Result<ShapeVerifyReport> verify_shape(const ShapeMap& map, const ShapeVerifyOptions& options) {
-    if (map.info.model == ShapeModel::contour)
-        return fail(ErrorCode::usage, std::string("a shape of sub-pixel contours (--antialiased) cannot be judged: the map does not hold how its texels are cut"));
+    if (map.info.model == ShapeModel::contour) return verify_contour(map, options);
     Result<ShapeRenderer> renderer = ShapeRenderer::create(options.backend);
     if (!renderer) return tl::unexpected<Error>(renderer.error());
     if (Result<void> loaded = renderer->load(map, options.filter); !loaded) return tl::unexpected<Error>(loaded.error());

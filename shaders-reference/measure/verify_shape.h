@@ -44,8 +44,8 @@ struct ShapeVerifyReport {
     double oracle_rays_per_second = 0; ///< and all threads
 };
 
-/// Errors (usage): no renderer, the map does not fit it, a shape of sub-pixel contours (no map holds what they are), numbers outside
-/// the ranges of solid.h.
+/// A shape of sub-pixel contours is judged by its distances alone: `solids` stays empty.
+/// Errors (usage): no renderer, the map does not fit it, numbers outside the ranges of solid.h.
 Result<ShapeVerifyReport> verify_shape(const ShapeMap& map, const ShapeVerifyOptions& options = {});
 
 /// Keys: verdict, points, violations, worst, allowed_gap, oracle_rays_per_second, solids: name, e, b, c (null: none), rays, hits, missed,

@@ -11,7 +11,7 @@ for program in npm node; do
     command -v "$program" >/dev/null || { echo "SKIPPED: no $program"; exit 0; }
 done
 cd "$folder"
-timeout 60 npm install --silent --no-audit --no-fund gltf-validator@2 mikktspace@1 >npm.log 2>&1 || { echo "SKIPPED: npm cannot install gltf-validator and mikktspace"; exit 0; }
+timeout 60 npm install --silent --no-audit --no-fund gltf-validator mikktspace@1 >npm.log 2>&1 || { echo "SKIPPED: npm cannot install gltf-validator and mikktspace"; exit 0; }
 
 # A torus with uneven sides whose texture is mirrored on one half and has a seam, and a patch without any area in the texture.
 cat >torus.mjs <<'JS'
@@ -74,8 +74,8 @@ for (const file of process.argv.slice(2)) {
         const theirs = mikktspace.generateTangents(p, normal, uv);
         let compared = 0, wrong = 0;
         for (let k = 0; k < index.length; ++k) {
-            const t = theirs.subarray(4 * k, 4 * k + 4), o = ours.subarray(4 * k, 4 * k + 4), n = normal.subarray(3 * k, 3 * k + 3);
-            if (Math.abs(t[0] * n[0] + t[1] * n[1] + t[2] * n[2]) > 0.01) continue; // (1, 0, 0): the reference found no direction
+            const t = theirs.subarray(4 * k, 4 * k + 4), o = ours.subarray(4 * k, 4 * k + 4);
+            if (t[0] === 1 && t[1] === 0 && t[2] === 0 && t[3] === -1) continue; // the reference found no direction
             ++compared;
             const apart = Math.hypot(t[0] - o[0], t[1] - o[1], t[2] - o[2]);
             if (apart > 1e-3 || t[3] !== -o[3]) ++wrong; // glTF's texture runs down

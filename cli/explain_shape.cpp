@@ -1,0 +1,53 @@
+#include "cli/explain_shape.h"
+
+#include "cli/shape_choices.h"
+#include "formats/shape_json.h"
+
+#include <charconv>
+
+namespace reliefbake {
+
+namespace {
+
+std::string digits(double number) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+const char* model_lines(ShapeModel model) {
+    switch (model) {
+    case ShapeModel::squares: return "The shape is the union of the squares of its texels";
+    case ShapeModel::centres: return "The shape is the centres of its texels";
+    case ShapeModel::contour: return "The shape is the squares of its texels, those of anti-aliased edges cut where the coverage says";
+    }
+    return "";
+}
+
+} // namespace
+
+std::string explain_shape_text(const ShapeMap& map) {
+    const ShapeMapInfo& info = map.info;
+    const std::vector<std::string> channels = shape_channels(info);
+    const auto wrap = [](Wrap axis) { return std::string(axis == Wrap::repeat ? "repeat" : "clamp"); };
+    const std::string b = channels[2], gradient = "vec2(" + channels[0] + ", " + channels[1] + ")";
+    const bool scaled = is_unorm(info.bits);
+    std::string text = "A shape map of " + std::to_string(map.grid.width) + " x " + std::to_string(map.grid.height) + " texels, " +
+                       word_of(bits_words, info.bits) + " bits" + (info.version.empty() ? "" : ", by reliefbake " + info.version) + ".\n";
+    text += "Sample it with linear or nearest filtering, " + wrap(map.grid.wrap_x) + " in u, " + wrap(map.grid.wrap_y) +
+            " in v, no sRGB decoding, no mips.\n";
+    text += std::string(model_lines(info.model)) + (info.inverted ? "; it is the other side of its picture.\n" : ".\n");
+    text += "  distance " + digits(info.tau) + " * " + (info.signed_distance && scaled ? "(2.0 * " + b + " - 1.0)" : b) +
+            " texture widths; at most " + digits(info.max_distance) + " texels, of which codes span " + digits(info.scale_f) + ".\n" +
+            (info.signed_distance ? "           Inside the shape it is minus the distance to its outside.\n" : "");
+    if (!info.guarantee.empty())
+        text += "  safe     A filtered distance D allows a step of sqrt(max(0.0, D * D - " + digits(0.5 / map.grid.width / map.grid.width) +
+                ")) (guarantee S); where the sampler has\n           8-bit weights, " + digits(info.filter_delta) + " less.\n";
+    else text += "  safe     Nothing is guaranteed: the distances of this method are a little too large here and there.\n";
+    text += "  gradient normalize(" + (scaled ? "2.0 * " + gradient + " - 1.0" : gradient) + "), u to the right, v down the image.\n";
+    text += "  shape    " + channels[3] + "; 0 inside, 1 outside; fetch it unfiltered.\n";
+    for (const auto& [name, value] : info.statistics) text += "  " + name + " = " + digits(value) + "\n";
+    if (!info.source_hash.empty()) text += "Source pixels " + info.source_hash + ", options " + info.argument_hash + ".\n";
+    return text;
+}
+
+} // namespace reliefbake
