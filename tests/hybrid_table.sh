@@ -35,7 +35,7 @@ if [[ $quick ]]; then deltas=(0.05 1); fi
 measure() {
     local name=$1 delta=$2
     shift 2
-    "$tool" "$@" "$heights/$name" "${source_options[@]}" -o "$scratch/map.exr" --quiet 2>/dev/null
+    quietly "$tool" "$@" "$heights/$name" "${source_options[@]}" -o "$scratch/map.exr" --quiet
     local march='' short=''
     march=$("$tool" verify "$scratch/map.exr" --technique cone --crop 0 --points 0 --rays "$rays" --steps 512 --json 2>/dev/null || (($? == 4)))
     short=$("$tool" verify "$scratch/map.exr" --technique relaxed --crop 0 --points 0 --rays "$rays" --steps 15 --json 2>/dev/null || (($? == 4)))
