@@ -7,6 +7,7 @@
 #include "cli/choices.h"
 #include "cli/number_options.h"
 #include "cli/range_option.h"
+#include "cli/simd_words.h"
 #include "cli/thread_option.h"
 #include "cli/version.h"
 #include "cli/wrap_option.h"
@@ -20,16 +21,6 @@ namespace reliefbake {
 namespace {
 
 constexpr double seconds_per_peer = 0.5;
-
-/// Lives as long as the program: options keep a reference.
-const Words<Simd>& simd_words() {
-    static const Words<Simd> words = [] {
-        Words<Simd> all;
-        for (Simd choice : available_simd()) all.emplace_back(to_string(choice), choice);
-        return all;
-    }();
-    return words;
-}
 
 std::string machine_name() {
     std::ifstream info("/proc/cpuinfo");

@@ -7,6 +7,7 @@
 #include "cli/bench_also.h"
 #include "cli/bench_cone.h"
 #include "cli/bench_dynamic.h"
+#include "cli/bench_shape.h"
 #include "cli/bench_peer.h"
 #include "cli/explain.h"
 #include "cli/render.h"
@@ -33,6 +34,7 @@ constexpr CommandEntry all_commands[] = {
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench also", "Time several maps of one source, apart and in one run (--also)", make<BenchAlsoCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
+    {"bench shape", "Time the distance transform, beside others", make<BenchShapeCommand>},
     {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},

@@ -37,7 +37,7 @@ fi
 
 # missed PATH SECTORS LEVELS SIMILARITY: share of rays that pass through the relief of the map that `acm --method adaptive` writes.
 missed() {
-    "$tool" acm "$1" "${source_options[@]}" --sectors "$2" --method adaptive --levels "$3" --similarity "$4" -o "$scratch/adaptive.exr" --quiet 2>/dev/null
+    quietly "$tool" acm "$1" "${source_options[@]}" --sectors "$2" --method adaptive --levels "$3" --similarity "$4" -o "$scratch/adaptive.exr" --quiet
     { "$tool" verify "$scratch/adaptive.exr" --crop 0 --rays 26000 --points 0 --json 2>/dev/null || (($? == 4)); } | jq .missed
 }
 
@@ -47,7 +47,7 @@ measure() {
     set_source_options "$path"
     by_rings=$(missed "$path" "$sectors" 0 "$similarity")
     by_adaptive=$(missed "$path" "$sectors" "$levels" "$similarity")
-    "$tool" bench cone "$path" "${source_options[@]}" --sectors "$sectors" --adaptive "$levels" --similarity "$similarity" --threads 1 --repeat $repeat --json 2>/dev/null |
+    quietly "$tool" bench cone "$path" "${source_options[@]}" --sectors "$sectors" --adaptive "$levels" --similarity "$similarity" --threads 1 --repeat $repeat --json |
         jq -c --arg map "${path##*/}" --argjson levels "$levels" --argjson similarity "$similarity" --argjson sectors "$sectors" --argjson missed "[$by_rings, $by_adaptive]" '
             {map: $map, levels: $levels, similarity: $similarity, sectors: $sectors, size: "\(.width)x\(.height)", exact: .search_ns_per_texel,
              ring: .adaptive[0].ns_per_texel, adaptive: .adaptive[1].ns_per_texel, too_wide: .adaptive[1].too_wide, missed: $missed}'

@@ -49,4 +49,12 @@ set_heights() {
     fi
 }
 
+# Runs a command; its complaints are shown only when it fails. Needs scratch.
+quietly() {
+    local code=0
+    "$@" 2>"$scratch/said" || code=$?
+    ((code == 0)) || cat "$scratch/said" >&2
+    return $code
+}
+
 machine() { sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1; }

@@ -103,7 +103,8 @@ set_source_options "$scene"
 
 # draw FAMILY MAP [STEPS]: its pictures, and their row of the table.
 draw() {
-    local name=${1//[^a-z0-9]/-} steps=${3:-10}
+    local name=${1,,} steps=${3:-10}
+    name=${name//[^a-z0-9]/-}
     name=${name//--/-} name=${name//--/-} name=${name%-}
     "$tool" render "$2" "${shot[@]}" --steps "$steps" -o "$pictures/$name.png" --error "$pictures/$name-error.png"
     printf '| %s | ![%s](pictures/families/%s.png) | ![its error](pictures/families/%s-error.png) |\n' "$1" "$1" "$name" "$name"

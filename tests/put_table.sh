@@ -11,6 +11,6 @@ fi
 {
     sed "/^$mark\$/q" "$file"
     printf '%s\n' "$table"
-    sed "1,/^$mark\$/d" "$file" | sed -n '/^<!-- end -->$/,$p'
+    sed "0,/^$mark\$/d" "$file" | sed -n '/^<!-- end -->$/,$p'
 } >"$file.new"
 mv "$file.new" "$file"

@@ -48,13 +48,13 @@ for path in "$heights"/*; do
     height=${path##*/}
     set_source_options "$path"
     for mode in "${modes[@]}"; do
-        "$tool" cone "$path" "${source_options[@]}" --kind relaxed --relaxed "$mode" --mips -o "$scratch/$mode.exr" --quiet 2>/dev/null
+        quietly "$tool" cone "$path" "${source_options[@]}" --kind relaxed --relaxed "$mode" --mips -o "$scratch/$mode.exr" --quiet
         level=$(level_of "$scratch/$mode.exr")
         judge "$scratch/$mode.exr" "$mode" "$level"
     done
     "$tool" bench peer sampled-relaxed "$scratch/top.exr" --level "$level" -o "$scratch/sampled.exr" >/dev/null
     judge "$scratch/sampled.exr" sampled
-    "$tool" bench cone "$path" "${source_options[@]}" --kind relaxed --relaxed top --peers --threads 1 --repeat 1 --json 2>/dev/null |
+    quietly "$tool" bench cone "$path" "${source_options[@]}" --kind relaxed --relaxed top --peers --threads 1 --repeat 1 --json |
         jq -c --arg map "$height" '{map: $map, mode: "time", ours: .search_ns_per_texel, times: .peers[0].times_ours}'
 done >"$scratch/lines"
 

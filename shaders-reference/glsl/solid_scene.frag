@@ -19,6 +19,7 @@ layout(location = 1) out vec4 out_origin;    // P at entry, t at exit
 layout(location = 2) out vec4 out_counts;    // steps, fetches, status, t
 layout(location = 3) out vec4 out_direction; // dP per unit of t, gap
 layout(location = 4) out vec4 out_normal;    // in the world, not bumped; a: 1 on the face where the ray entered, 2 on the floor
+layout(location = 5) out vec4 out_bumped;    // the normal that is shaded
 
 const vec3 SUN_COLOUR = vec3(2.75, 2.3, 1.75);
 const vec3 SKY_COLOUR = vec3(0.34, 0.46, 0.68);
@@ -115,6 +116,7 @@ void main() {
     out_counts = vec4(0.0);
     out_direction = vec4(0.0);
     out_normal = vec4(0.0);
+    out_bumped = vec4(0.0);
     gl_FragDepth = 1.0;
 
     // Enter the domain.
@@ -170,6 +172,7 @@ void main() {
         base = textureLod(solid_colour, solid_texture_place(p), 0.0).rgb;
 #endif
     }
+    out_bumped = vec4(bumped, 0.0);
     out_colour = vec4(tone_map(shaded(p, base, bumped, normal, view)), 1.0);
     float distance_ahead = dot((t_enter + hit.t) * view, camera_forward);
     gl_FragDepth = clamp(camera_range.y * (1.0 - camera_range.x / distance_ahead) / (camera_range.y - camera_range.x), 0.0, 1.0);

@@ -37,7 +37,7 @@ double degrees_between(const Point3& a, const Quad& b) {
 }
 
 bool is_finite(const ShapeRendering& rendering, std::size_t pixel) {
-    for (const Quad* quad : {&rendering.origin[pixel], &rendering.direction[pixel], &rendering.counts[pixel], &rendering.normal[pixel]})
+    for (const Quad* quad : {&rendering.origin[pixel], &rendering.direction[pixel], &rendering.counts[pixel], &rendering.normal[pixel], &rendering.bumped[pixel]})
         for (const float x : *quad)
             if (!std::isfinite(x)) return false;
     return std::isfinite(rendering.depth[pixel]);

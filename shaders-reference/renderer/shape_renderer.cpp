@@ -11,7 +11,7 @@ namespace reliefbake {
 namespace {
 
 constexpr int map_unit = 0, given_unit = 1, colour_unit = 2, bump_unit = 3;
-enum Plane { colour_plane, origin_plane, counts_plane, direction_plane, normal_plane, plane_count };
+enum Plane { colour_plane, origin_plane, counts_plane, direction_plane, normal_plane, bumped_plane, plane_count };
 
 struct CompiledProgram {
     SolidConfig config;
@@ -210,6 +210,7 @@ Result<ShapeRendering> ShapeRenderer::render(const ShapeRenderOptions& options) 
     rendering.counts = screen.read_plane(counts_plane);
     rendering.direction = screen.read_plane(direction_plane);
     rendering.normal = screen.read_plane(normal_plane);
+    rendering.bumped = screen.read_plane(bumped_plane);
     rendering.depth = screen.read_depth();
     if (screen.gl().GetError() != GL_NO_ERROR) return fail(ErrorCode::internal, std::string("the OpenGL driver reports an error"));
     return rendering;

@@ -47,6 +47,7 @@ struct ShapeRendering {
     Image<Quad> direction; ///< dP per unit of t; gap at the end, texture widths
     Image<Quad> counts;    ///< steps, fetches, RayStatus, t
     Image<Quad> normal;    ///< unit, in the world, not bumped; 1: of the face where the ray entered, 2: of the floor
+    Image<Quad> bumped;    ///< unit, in the world: the normal that is shaded
     Image<float> depth;    ///< device depth in [0,1]; 1 where nothing is drawn
     RgbImage colour;
     double seconds = 0;    ///< drawing, up to glFinish
