@@ -71,17 +71,21 @@ void ConeNormalCommand::add_to(CLI::App& app) {
 Result<void> ConeNormalCommand::run() { return bake_planned(options_); }
 
 void ConeStackCommand::add_to(CLI::App& app) {
-    options_.kind = "cone-stack";
     options_.planes = 4;
     add_input_options(app, options_);
     add_search_options(app, options_);
     add_cone_max_option(app, options_);
-    app.add_option("--levels", options_.planes, "Cones above each texel; the first stands on it (default 4)")->check(CLI::Range(1, 16));
+    app.add_option("--levels", options_.planes, "Cones or pieces above each texel; the first stands on it (default 4)")->check(CLI::Range(1, 16));
+    app.add_option("--method", method_, "1: whole cones, the longest step wins; 2: one line of pieces, of which a step leaves through one (default 1)")
+        ->check(CLI::IsMember({1, 2}));
     add_output_options(app, options_);
     add_encoding_option(app, options_);
     add_layout_options(app, options_);
 }
 
-Result<void> ConeStackCommand::run() { return bake_planned(options_); }
+Result<void> ConeStackCommand::run() {
+    options_.kind = method_ == 1 ? "cone-stack" : "cone-pieces";
+    return bake_planned(options_);
+}
 
 } // namespace reliefbake

@@ -31,13 +31,14 @@ class ConeNormalCommand : public Command {
     ConeCommandOptions options_;
 };
 
-/// reliefbake cone-stack IN -o OUT --levels K: cones stacked above each texel (001 sec. 3.4, method 1).
+/// reliefbake cone-stack IN -o OUT --levels K --method 1|2: cones stacked above each texel, or one of K pieces (001 sec. 3.4).
 class ConeStackCommand : public Command {
   public:
     void add_to(CLI::App& app) override;
     Result<void> run() override;
 
   private:
+    int method_ = 1;
     ConeCommandOptions options_;
 };
 
