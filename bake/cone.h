@@ -84,6 +84,14 @@ std::vector<ConeMap> bake_sector_cones(const DepthMap& depth, int sectors, const
 std::vector<ConeMap> bake_stacked_cones(const DepthMap& depth, int levels, const ConeOptions& options,
                                         ConeStatistics* statistics = nullptr, SharedPyramids* shared = nullptr);
 
+/// Cones in pieces (001 sec. 3.4, method 2): the free space above each texel under a line of n pieces. Of a point at height H with
+/// room w = 1 - H above it, piece k of n spans heights H + w k/n to H + w (k+1)/n; map k holds the ratio of the radius at its upper
+/// end to that end's height above H. Radii between ends are linear, 0 at H. A ray may step as long as it is within the radius
+/// at its height. One piece is an ordinary cone. Decoded by any weighted mean of texels that is the same for all maps, the radius
+/// at no height passes the nearest point of the surface above that height (docs/FAMILIES.md). `pieces`: 1 to 64.
+std::vector<ConeMap> bake_piecewise_cones(const DepthMap& depth, int pieces, const ConeOptions& options,
+                                          ConeStatistics* statistics = nullptr);
+
 struct EncodeOptions {
     ConeEncoding encoding = ConeEncoding::sqrt; ///< (--encoding)
     BitDepth bits = BitDepth::unorm8;           ///< of the cone channel (--bits)

@@ -15,20 +15,20 @@ enum class NormalY { gl, dx };
 /// How the planes lie in image files (formats/map_layout.h).
 enum class ChannelLayout {
     rgba,  ///< one RGBA image
-    named, ///< one EXR with channels relief.nx, relief.ny, relief.depth, relief.cone or cone4.s0, cone8.s0, stack.k0, ...
+    named, ///< one EXR with channels relief.nx, relief.ny, relief.depth, relief.cone or cone4.s0, cone8.s0, stack.k0, pieces.k0, ...
     side,  ///< eight sectors: two RGBA images side by side in one (002 sec. II-D)
     pair,  ///< eight sectors: two RGBA files
 };
 
 /// The meaning of a map; stored as metadata, printed by `explain`. Keys of `explain --json` are these names.
 struct ReliefMapInfo {
-    std::string kind = "cone";  ///< "cone", "acm" (sectors), "cone-stack"
+    std::string kind = "cone";  ///< "cone", "acm" (sectors), "cone-stack", "cone-pieces"
     ConeFamily family = ConeFamily::conservative;
     RelaxedRays rays = RelaxedRays::strict; ///< relaxed, hybrid
     double relaxed_slope = 0;   ///< RelaxedRays::slope
     double hybrid_delta = 0;    ///< hybrid
     ConeLookup lookup = ConeLookup::filtered;
-    int planes = 0;             ///< kinds "acm", "cone-stack": number of ReliefMap::cone_planes
+    int planes = 0;             ///< but for kind "cone": number of ReliefMap::cone_planes
     int levels = 1;             ///< mip levels in the file; every other fact is that of level 0, filter_delta of all
     bool trilinear = false;     ///< cones hold under a blend of two adjacent levels too (bake/trilinear.h)
     bool holes = false;         ///< depth 1 is a hole, and only holes are as deep (bake/holes.h)
@@ -56,7 +56,7 @@ struct ReliefMap {
     ReliefMapInfo info;
     TexelGrid grid;
     Image<float> normal_x, normal_y, cone, depth;
-    /// Kind "acm": 4 or 8 planes, one a sector; kind "cone-stack": one a level. `cone` is then empty. Encoded as `cone`.
+    /// Kind "acm": 4 or 8 planes, one a sector; kinds "cone-stack", "cone-pieces": one a level. `cone` is then empty. Encoded as `cone`.
     std::vector<Image<float>> cone_planes;
 };
 

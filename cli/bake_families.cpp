@@ -77,14 +77,21 @@ void ConeNormalCommand::add_own_options(CLI::App& app) {
 }
 
 void ConeStackCommand::add_own_options(CLI::App& app) {
-    options_.kind = "cone-stack";
     options_.planes = 4;
     add_search_options(app, options_);
     add_cone_max_option(app, options_);
-    app.add_option("--levels", options_.planes, "Cones above each texel; the first stands on it (default 4)")->check(CLI::Range(1, 16));
+    app.add_option("--levels", options_.planes, "Cones or pieces above each texel; the first stands on it (default 4)")->check(CLI::Range(1, 16));
+    app.add_option("--method", method_, "1: whole cones, the longest step wins; 2: one line of pieces, of which a step leaves through one (default 1)")
+        ->check(CLI::IsMember({1, 2}));
     add_output_options(app, options_);
     add_encoding_option(app, options_);
     add_layout_options(app, options_);
+}
+
+Result<ConeCommandOptions> ConeStackCommand::given() const {
+    ConeCommandOptions options = options_;
+    options.kind = method_ == 1 ? "cone-stack" : "cone-pieces";
+    return options;
 }
 
 std::unique_ptr<BakeCommand> make_bake_command(const std::string& name) {

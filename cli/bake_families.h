@@ -31,10 +31,14 @@ class ConeNormalCommand : public BakeCommand {
     void add_own_options(CLI::App& app) override;
 };
 
-/// reliefbake cone-stack IN -o OUT --levels K: cones stacked above each texel (001 sec. 3.4, method 1).
+/// reliefbake cone-stack IN -o OUT --levels K --method 1|2: cones stacked above each texel, or one of K pieces (001 sec. 3.4).
 class ConeStackCommand : public BakeCommand {
   public:
     void add_own_options(CLI::App& app) override;
+    Result<ConeCommandOptions> given() const override;
+
+  private:
+    int method_ = 1;
 };
 
 } // namespace reliefbake

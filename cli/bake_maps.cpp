@@ -37,16 +37,17 @@ std::vector<ConeMap> bake_kind(Surface& surface, const ConePlan& plan, ConeStati
     if (plan.given.adaptive) return bake_sector_cones_adaptive(depth, *plan.given.adaptive, plan.cone);
     if (plan.given.kind == "acm") return bake_sector_cones(depth, plan.given.planes, plan.cone, &statistics, &surface.pyramids);
     if (plan.given.kind == "cone-stack") return bake_stacked_cones(depth, plan.given.planes, plan.cone, &statistics, &surface.pyramids);
+    if (plan.given.kind == "cone-pieces") return bake_piecewise_cones(depth, plan.given.planes, plan.cone, &statistics);
     std::vector<ConeMap> one;
     one.push_back(bake_cones(depth, plan.cone, &statistics, &surface.pyramids));
     return one;
 }
 
-/// The ordinary cone map that goes with cones alone: its cone at a texel is the narrowest of theirs.
+/// The ordinary cone map that goes with cones alone: its cone at a texel is the narrowest of theirs that stand on the surface.
 ReliefMap relief_map_for(const ReliefMap& map, const EncodedConeMap& first) {
     ReliefMap relief{map.info, map.grid, map.normal_x, map.normal_y, first.value, map.depth, {}};
     relief.info.kind = "cone", relief.info.planes = 0, relief.info.layout = ChannelLayout::rgba;
-    if (map.info.kind == "acm") // codes grow with cones; the levels of a stack above the first stand above the surface
+    if (map.info.kind != "cone-stack") // codes grow with cones; the levels of a stack above the first stand above the surface
         for (const Image<float>& plane : map.cone_planes)
             for (std::size_t k = 0; k < plane.size(); ++k) relief.cone[k] = std::min(relief.cone[k], plane[k]);
     return relief;

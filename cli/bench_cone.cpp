@@ -69,7 +69,8 @@ void BenchConeCommand::add_to(CLI::App& app) {
     add_thread_option(app, cone_.threads);
     add_family_options(app, family_, true);
     app.add_option("--sectors", sectors_, "Sectors of an anisotropic map (default 1: none)")->check(CLI::IsMember({1, 4, 8}));
-    app.add_option("--levels", levels_, "Levels of a cone stack (default 1: none)")->check(CLI::Range(1, 16));
+    CLI::Option* levels = app.add_option("--levels", levels_, "Levels of a cone stack (default 1: none)")->check(CLI::Range(1, 16));
+    app.add_option("--method", method_, "1: whole cones, 2: pieces of one (default 1)")->check(CLI::IsMember({1, 2}))->needs(levels);
     app.option_defaults()->group("Bake");
     add_choice(app, "--simd", simd_, simd_words(), "Instruction set (default: the widest this machine has)");
     CLI::Option* adaptive = app.add_option("--adaptive", adaptive_levels_,
@@ -109,15 +110,16 @@ Result<void> BenchConeCommand::run() {
     if (!threads) return tl::unexpected(threads.error());
     cone_.threads = *threads;
     if (const Result<void> resolved = resolve_family(family_, cone_); !resolved) return resolved;
-    const bool plain = cone_.family == ConeFamily::conservative && cone_.lookup == ConeLookup::filtered && sectors_ == 1 && levels_ == 1;
+    const bool stacked = levels_ > 1 || method_ == 2;
+    const bool plain = cone_.family == ConeFamily::conservative && cone_.lookup == ConeLookup::filtered && sectors_ == 1 && !stacked;
     const bool relaxed = cone_.family == ConeFamily::relaxed && sectors_ == 1;
     if (compare_ && !plain) return fail(ErrorCode::usage, "--compare: is for conservative cones of all directions");
     if (peers_ && !plain && !relaxed) return fail(ErrorCode::usage, "--peers: are for conservative and relaxed cones of all directions");
-    if (sectors_ > 1 && (cone_.family == ConeFamily::hybrid || levels_ > 1))
+    if (sectors_ > 1 && (cone_.family == ConeFamily::hybrid || stacked))
         return fail(ErrorCode::usage, "--sectors: sectors are conservative or relaxed, and not stacked");
     if (adaptive_levels_ && (sectors_ == 1 || cone_.family != ConeFamily::conservative || cone_.metric != Metric::l2))
         return fail(ErrorCode::usage, "--adaptive: needs --sectors 4 or 8, conservative l2 cones");
-    if (levels_ > 1 && cone_.family != ConeFamily::conservative) return fail(ErrorCode::usage, "--levels: stacked cones are conservative");
+    if (stacked && cone_.family != ConeFamily::conservative) return fail(ErrorCode::usage, "--levels: stacked cones are conservative");
     if (sectors_ == 8 && cone_.metric == Metric::l1) return fail(ErrorCode::usage, "--sectors 8: needs --metric l2");
     use_simd(simd_);
     const Result<std::vector<Subject>> subjects = this->subjects();
@@ -125,7 +127,7 @@ Result<void> BenchConeCommand::run() {
 
     nlohmann::json results = nlohmann::json::array();
     for (const auto& [name, depth] : *subjects) {
-        nlohmann::json result = time_bake(depth, cone_, sectors_, levels_, repeat_);
+        nlohmann::json result = time_bake(depth, cone_, {sectors_, levels_, method_ == 2}, repeat_);
         result.update({{"name", name}, {"width", depth.grid.width}, {"height", depth.grid.height}});
         if (peers_)
             for (const Peer& peer : relaxed ? std::vector<Peer>{sampled_relaxed_peer()}

@@ -41,6 +41,7 @@ class BenchConeCommand : public Command {
     std::optional<int> adaptive_levels_; ///< --adaptive: 002's Algorithm 1 beside the exact sectors
     double similarity_ = AdaptiveOptions().similarity;
     int levels_ = 1;  ///< --levels: 1, or a stack
+    int method_ = 1;  ///< --method: of a stack
     Simd simd_ = Simd::automatic;
     bool peers_ = false;   ///< --peers: time the ways others bake
     bool compare_ = false; ///< --compare: what safety costs and what others' maps miss

@@ -27,8 +27,8 @@ struct ConeCommandOptions {
     ReadOptions read;     ///< --channel, --max-bytes
     AlphaOptions alpha;   ///< --alpha --alpha-threshold
     HeightOptions height; ///< --input --range --nan --no-data --scale --bias --wrap --pixel-aspect
-    std::string kind = "cone"; ///< what the command bakes: "cone", "acm", "cone-stack"
-    int planes = 1;            ///< sectors of an acm (--sectors), levels of a cone-stack (--levels)
+    std::string kind = "cone"; ///< what the command bakes: "cone", "acm", "cone-stack", "cone-pieces"
+    int planes = 1;            ///< sectors of an acm (--sectors), levels or pieces of a stack (--levels)
     std::optional<AdaptiveOptions> adaptive; ///< acm --method adaptive
     FamilyOptions family;      ///< --kind --relaxed --delta --lookup
     std::string relief_output; ///< --relief: a cone map with depth and normals, beside a map of cones alone

@@ -44,6 +44,13 @@ std::string stack_lines(const ReliefMapInfo& info) {
            "steps that the apexes below a ray allow, take the longest (g is the gap above the apex).\n";
 }
 
+std::string piece_lines(const ReliefMapInfo& info) {
+    const std::string n = std::to_string(info.planes);
+    return "  cone    " + cone_channels(info) + " hold pieces 0 to " + std::to_string(info.planes - 1) +
+           ". Piece k ends (1 - h) (k + 1) / " + n + " above a surface of height h, with a radius of\n          r times that; between "
+           "ends the radius is linear. A ray may go on while it is within the radius at its height.\n";
+}
+
 std::string relaxed_rays(const ReliefMapInfo& info) {
     switch (info.rays) {
     case RelaxedRays::strict:
@@ -65,6 +72,7 @@ std::string cone_word(const ReliefMapInfo& info) {
 
 std::string plane_lines(const ReliefMapInfo& info) {
     if (info.kind == "acm") return sector_lines(info);
+    if (info.kind == "cone-pieces") return piece_lines(info);
     return info.kind == "cone-stack" ? stack_lines(info) : "";
 }
 

@@ -54,11 +54,11 @@ std::string normal_lines(const ReliefMapInfo& info, const std::string& x, const 
 
 std::string cone_lines(const ReliefMapInfo& info, const TexelGrid& grid, const std::string& cone,
                        const std::string& depth) {
+    const std::string ray = "A ray at height gap g above the surface that moves dir in uv per unit of depth may sink by\n          ";
+    const std::string pieces = "A ray that moves dir in uv per unit of depth is l times what it sank away from the apex's axis";
     return "  cone    ratio = " + ratio_formula(info, cone, depth) + "; texture widths per unit of depth (" +
-           word_of(encoding_words, info.encoding) + ").\n" +
-           "          A ray at height gap g above the surface that moves dir in uv per unit of depth may "
-           "sink by\n" +
-           "          ratio * g / (l + ratio), with l = " + length_formula(info, grid) + " (" +
+           word_of(encoding_words, info.encoding) + ").\n          " +
+           (info.kind == "cone-pieces" ? pieces : ray + "ratio * g / (l + ratio)") + ", with l = " + length_formula(info, grid) + " (" +
            word_of(metric_words, info.metric) + " cones).\n";
 }
 

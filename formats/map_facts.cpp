@@ -84,7 +84,7 @@ Result<std::vector<LayoutImage>> images_of(const ReliefMapInfo& info, const MapM
             {"", *metadata.channels, {{normal_x_plane, normal_y_plane, cone_plane, depth_plane}}}};
     if (hints.cones_suffice) return std::vector<LayoutImage>();
     return fail(ErrorCode::bad_data, name + ": is of kind '" + info.kind +
-                                         "', which this version does not know; it reads cone, acm and cone-stack");
+                                         "', which this version does not know; it reads cone, acm, cone-stack and cone-pieces");
 }
 
 ReliefMapInfo info_of(const MapMetadata& metadata, BitDepth bits) {

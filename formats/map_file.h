@@ -23,7 +23,7 @@ Result<void> check_map_format(const std::filesystem::path& path, const ReliefMap
 /// Encodes in memory and writes atomically: `path` is complete, or what it was before. Same map, same bytes, on any day
 /// (SOURCE_DATE_EPOCH is honoured). Half stores what the channels hold when a half can, else the nearest half.
 /// TGA keeps no metadata: reading it back needs every hint. Layout `pair`: two files, `path` and one whose stem ends in _b,
-/// which appear together. A map of kind acm or cone-stack in any layout but `named` leaves out depth and normals. `threads` compress an EXR; they change no byte.
+/// which appear together. A map with several cones a texel in any layout but `named` leaves out depth and normals. `threads` compress an EXR; they change no byte.
 /// Errors: usage, cannot_create, write_failed, internal.
 Result<void> write_map(const std::filesystem::path& path, const ReliefMap& map, int threads = 1);
 /// The same into a batch: nothing appears before it is published.
@@ -65,7 +65,7 @@ struct MapHints {
 };
 
 /// Reads any allowed image as a map; the file's metadata and the hints say how. Channels absent by hint are empty images.
-/// Depth and normals of a map of kind acm or cone-stack that holds cones alone come from `hints.relief`, baked from the same
+/// Depth and normals of a map that holds cones alone come from `hints.relief`, baked from the same
 /// heights: same size, wrap, pixel aspect, bits and source. A kind of a later version is refused, or with cones_suffice read
 /// without planes, unless a channel order insists on it.
 /// A mip level has the proportions of level 0, and no statistics: the file tells only those of level 0. DDS and KTX2 are not

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<std::string> rgba_names{"R", "G", "B", "A"};
 
-/// Four cone planes from `first` on; a stack with fewer repeats its last, which changes no longest step.
+/// Four cone planes from `first` on; a stack with fewer repeats its last.
 std::vector<int> four_planes(int first, int planes) {
     std::vector<int> four;
     for (int c = first; c < first + 4; ++c) four.push_back(first_cone_plane + std::min(c, planes - 1));
@@ -22,7 +22,7 @@ LayoutImage named_image(const ReliefMapInfo& info) {
         return {"", {"relief.nx", "relief.ny", "relief.cone", "relief.depth"},
                 {{normal_x_plane, normal_y_plane, cone_plane, depth_plane}}};
     LayoutImage image{"", {"relief.nx", "relief.ny", "relief.depth"}, {{normal_x_plane, normal_y_plane, depth_plane}}};
-    const std::string layer = info.kind == "acm" ? "cone" + std::to_string(info.planes) + ".s" : "stack.k";
+    const std::string layer = info.kind == "acm" ? "cone" + std::to_string(info.planes) + ".s" : info.kind == "cone-stack" ? "stack.k" : "pieces.k";
     for (int k = 0; k < info.planes; ++k) {
         image.channels.push_back(layer + std::to_string(k));
         image.parts[0].push_back(first_cone_plane + k);
@@ -32,7 +32,7 @@ LayoutImage named_image(const ReliefMapInfo& info) {
 
 } // namespace
 
-bool has_cone_planes(const std::string& kind) { return kind == "acm" || kind == "cone-stack"; }
+bool has_cone_planes(const std::string& kind) { return kind == "acm" || kind == "cone-stack" || kind == "cone-pieces"; }
 
 bool is_known_kind(const std::string& kind) { return kind == "cone" || has_cone_planes(kind); }
 
@@ -49,7 +49,7 @@ Result<void> check_layout(const ReliefMapInfo& info) {
         return {};
     }
     if (info.kind == "acm" && info.planes != 4 && info.planes != 8) return refused("an acm map has 4 or 8 sectors");
-    if (info.planes < 1 || info.planes > most_planes) return refused("a cone stack has 1 to 64 levels");
+    if (info.planes < 1 || info.planes > most_planes) return refused("a cone stack has 1 to 64 levels or pieces");
     if (two_images && (info.kind != "acm" || info.planes != 8)) return refused("layouts side and pair are for eight sectors");
     if (info.layout == ChannelLayout::rgba && info.planes > 4)
         return refused("an RGBA image holds four planes of cones; choose the layout named, or for eight sectors side or pair");

@@ -20,7 +20,7 @@ struct LayoutImage {
     std::vector<std::vector<int>> parts; ///< side by side from the left: the plane that each channel holds
 };
 
-/// Kinds whose cones are cone_planes: "acm" and "cone-stack".
+/// Kinds whose cones are cone_planes: "acm", "cone-stack", "cone-pieces".
 bool has_cone_planes(const std::string& kind);
 
 /// Kinds that this version reads and writes: those above and "cone".

@@ -22,6 +22,7 @@ hybrid, delta 0.05|cone --kind hybrid --delta 0.05|1|yes
 8 sectors, relaxed|acm --sectors 8 --kind relaxed|8|yes
 4 sectors, adaptive (002)|acm --sectors 4 --method adaptive|4|no
 3 stacked cones|cone-stack --levels 3|3|yes
+3 pieces|cone-stack --levels 3 --method 2|3|yes
 END
 }
 

@@ -37,7 +37,7 @@ Image<float> minimum_3x3(const Image<float>& values, const TexelGrid& grid) {
 
 Candidate ours(const std::string& method, const DepthMap& depth, ConeOptions options, SurfaceModel surface, Metric metric) {
     options.surface = surface, options.metric = metric;
-    const double ns = time_bake(depth, options, 1, 1, 3)["search_ns_per_texel"];
+    const double ns = time_bake(depth, options, {}, 3)["search_ns_per_texel"];
     return {method, metric, bake_cones(depth, options).ratio, ns};
 }
 

@@ -13,12 +13,13 @@ double now() {
 
 } // namespace
 
-nlohmann::json time_bake(const DepthMap& depth, const ConeOptions& options, int sectors, int levels, int repeat) {
+nlohmann::json time_bake(const DepthMap& depth, const ConeOptions& options, const ConeCounts& counts, int repeat) {
     ConeStatistics best;
     for (int k = 0; k < repeat; ++k) {
         ConeStatistics run;
-        if (sectors > 1) bake_sector_cones(depth, sectors, options, &run);
-        else if (levels > 1) bake_stacked_cones(depth, levels, options, &run);
+        if (counts.sectors > 1) bake_sector_cones(depth, counts.sectors, options, &run);
+        else if (counts.pieces) bake_piecewise_cones(depth, counts.levels, options, &run);
+        else if (counts.levels > 1) bake_stacked_cones(depth, counts.levels, options, &run);
         else bake_cones(depth, options, &run);
         if (k == 0) best = run;
         best.seconds_near = std::min(best.seconds_near, run.seconds_near);

@@ -9,9 +9,15 @@
 
 namespace reliefbake {
 
+/// How many cones a texel has.
+struct ConeCounts {
+    int sectors = 1, levels = 1;
+    bool pieces = false; ///< the levels are pieces of one cone
+};
+
 /// Nanoseconds per texel, of the fastest of `repeat` bakes stage by stage. Keys: search_ns_per_texel (the whole cone
 /// search: near + pyramid + far), near_ns_per_texel, pyramid_ns_per_texel, far_ns_per_texel, node_tests_per_texel.
-nlohmann::json time_bake(const DepthMap& depth, const ConeOptions& options, int sectors, int levels, int repeat);
+nlohmann::json time_bake(const DepthMap& depth, const ConeOptions& options, const ConeCounts& counts, int repeat);
 
 /// 002's original ring search and its Algorithm 1. Keys of each: name, ns_per_texel, too_wide (share of texel cones that
 /// hold the texel centre that limits the ring search's).

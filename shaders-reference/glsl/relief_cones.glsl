@@ -5,6 +5,8 @@
 //                   has an angle in [2 pi k/n, 2 pi (k+1)/n), v down the image
 //   RELIEF_LEVELS   1; 2 to 8: cones stacked above each texel (001 sec. 3.4). The apex of level k of n is (1 - h) k/n above
 //                   the relief's height h; the longest step of the cones that the ray is in wins
+//   RELIEF_PIECES   1: the levels are pieces of one cone instead. Piece k of n ends (1 - h) (k + 1)/n above the relief, with a
+//                   radius of its ratio times that; between ends the radius is linear
 //   RELIEF_PLANES   sectors or levels. 1: the cone is relief_map's blue. Else planes 0 to 3 are the channels of
 //                   relief_cones_0, planes 4 to 7 those of relief_cones_1; size, filter and wrap as relief_map
 //   RELIEF_LOOKUP   0 filtered; 1 unfiltered, a cone for each cell (maps baked with --lookup cell); 2 unfiltered, the
@@ -62,6 +64,14 @@ struct ReliefCones {
 
 ReliefCones relief_decode(vec4 texel, vec4 low, vec4 high, ReliefCourse course) {
     ReliefCones cones;
+#if RELIEF_PIECES
+#if RELIEF_ENCODING == 2
+#else
+    // Pieces hold for means of texels; a sampler that rounds what it filtered to 8 bits may return more. (A radius sees to it itself.)
+    low = max(low - relief_code_delta, 0.0);
+    high = max(high - relief_code_delta, 0.0);
+#endif
+#endif
     cones.low = vec4(0.0, 0.0, 0.0, 0.0);
     cones.high = cones.low;
 #if RELIEF_SECTORS > 0
@@ -152,6 +162,39 @@ float relief_cone_distance(float ratio, float gap) {
     return deep * max(gap, 0.0) * ratio / sqrt(slack * deep * deep + ratio * ratio);
 }
 
+#if RELIEF_PIECES
+// A ray leaves through the lowest piece whose upper end is around it, or above it. Radii that codes rounded down below those of
+// lower ends are those; nothing higher is nearer. `room` is the height from the apex to the polygon.
+float relief_piece_step(ReliefCones cones, float room, float gap, ReliefCourse course) {
+    float end = 0.0;
+    float radius = 0.0;
+    if (gap <= 0.0 || room <= 0.0) return 0.0;
+    for (int k = 0; k < RELIEF_LEVELS; ++k) {
+        float ratio = k < 4 ? cones.low[k] : cones.high[k - 4];
+        float next_end = room * (float(k + 1) / float(RELIEF_LEVELS));
+        float next_radius = max(radius, ratio * next_end);
+        if (next_end >= gap || course.reach * (gap - next_end) <= next_radius) {
+            float slope = (next_radius - radius) / (next_end - end);
+            float closing = course.reach + slope;
+            return closing > 0.0 ? max(radius + slope * (gap - end), 0.0) / closing : 0.0;
+        }
+        end = next_end;
+        radius = next_radius;
+    }
+    return 0.0;
+}
+
+// The widest whole cone in the pieces up to a height.
+float relief_piece_ratio(ReliefCones cones, float room, float gap) {
+    float ratio = cones.low.x;
+    for (int k = 1; k < RELIEF_LEVELS; ++k) {
+        float upper = k < 4 ? cones.low[k] : cones.high[k - 4];
+        if (room * (float(k) / float(RELIEF_LEVELS)) < gap) ratio = min(ratio, upper);
+    }
+    return ratio;
+}
+#endif
+
 // What a ray learns where it stands.
 struct ReliefLook {
     float gap;      // height above the filtered relief
@@ -166,6 +209,13 @@ ReliefLook relief_look(vec2 uv, float depth, ReliefCourse course) {
     ReliefLook look;
     look.gap = relief_depth(texel) - depth;
     look.fetches = 1 + RELIEF_CONE_FETCHES;
+#if RELIEF_PIECES
+    float room = relief_depth(texel) - relief_delta;
+    float ratio = relief_piece_ratio(cones, room, course.falls > 0.0 ? look.gap : room);
+    look.distance = relief_cone_distance(ratio, look.gap - relief_delta);
+    look.advance = relief_cone_step(ratio, look.gap - relief_delta, course);
+    if (course.falls > 0.0) look.advance = relief_piece_step(cones, room, look.gap - relief_delta, course);
+#else
     look.advance = relief_cone_step(cones.low.x, look.gap - relief_delta, course);
     look.distance = relief_cone_distance(cones.low.x, look.gap - relief_delta);
 #if RELIEF_LEVELS > 1
@@ -175,6 +225,7 @@ ReliefLook relief_look(vec2 uv, float depth, ReliefCourse course) {
         look.advance = max(look.advance, relief_cone_step(ratio, gap, course));
         look.distance = max(look.distance, relief_cone_distance(ratio, gap));
     }
+#endif
 #endif
     return look;
 }

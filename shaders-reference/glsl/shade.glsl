@@ -57,7 +57,7 @@ float open_sky(float ratio) {
 #endif
 }
 
-// Share of the sky seen; the mean of all sectors, and of a stack's cones the one on the relief.
+// Share of the sky seen; the mean of all sectors, of a stack's cones the one on the relief, and of pieces a whole cone in them.
 float sky_visibility(vec4 texel, vec2 uv) {
     float sky = 1.0;
 #if SCENE_AMBIENT > 0
@@ -70,7 +70,12 @@ float sky_visibility(vec4 texel, vec2 uv) {
 #endif
     }
 #else
-    sky = open_sky(relief_cones_at(texel, uv, relief_course(vec2(0.0, 0.0), 1.0)).low.x);
+    ReliefCones cones = relief_cones_at(texel, uv, relief_course(vec2(0.0, 0.0), 1.0));
+    float ratio = cones.low.x;
+#if RELIEF_PIECES
+    ratio = relief_piece_ratio(cones, relief_depth(texel), relief_depth(texel));
+#endif
+    sky = open_sky(ratio);
 #endif
 #endif
     return mix(0.2, 1.0, sky);

@@ -2,6 +2,7 @@
 
 #include "bake/parallel.h"
 #include "shaders-reference/measure/adversarial_points.h"
+#include "shaders-reference/measure/check_pieces.h"
 #include "shaders-reference/measure/map_sample.h"
 #include "shaders-reference/oracle/cone_constraint.h"
 #include "shaders-reference/oracle/steepest_texel.h"
@@ -83,8 +84,21 @@ double check_plane(const ReliefMap& map, const BilinearSurface& surface, int pla
     return worst;
 }
 
+double check_pieces(const ReliefMap& map, const BilinearSurface& surface, const MapPoint& point, SplitMix& random,
+                    std::vector<Heading>& headings, ConeCheck& check) {
+    adversarial_headings(surface, point, widest_ratio(map, map.cone_planes.front(), point), map.info.metric, random, headings);
+    double worst = 0;
+    for (const Heading& heading : headings) {
+        const double excess = piece_excess(map, surface, point, heading, metric_length(heading, map.info.metric), random);
+        worst = std::max(worst, excess);
+        note(check, excess, point, heading);
+    }
+    return worst;
+}
+
 double check_point(const ReliefMap& map, const BilinearSurface& surface, const MapPoint& point, SplitMix& random,
                    std::vector<Heading>& headings, ConeCheck& check) {
+    if (map.info.kind == "cone-pieces") return check_pieces(map, surface, point, random, headings, check);
     double worst = 0;
     for (int plane = 0; plane < std::max(1, int(map.cone_planes.size())); ++plane)
         worst = std::max(worst, check_plane(map, surface, plane, point, random, headings, check));

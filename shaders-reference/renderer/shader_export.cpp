@@ -17,7 +17,7 @@ std::string file_comment(const ReliefMap& map) {
                        " texels; written by reliefbake shader.\n// Bind relief_map = (normal x, normal y, " + (planes == 0 ? "cone" : "unused") +
                        ", depth)";
     if (planes > 0) {
-        const std::string what = info.kind == "acm" ? "sectors" : "levels";
+        const std::string what = info.kind == "acm" ? "sectors" : info.kind == "cone-stack" ? "levels" : "pieces";
         text += ", relief_cones_0 = " + what + " 0 to " + std::to_string(std::min<std::size_t>(planes, 4) - 1);
         if (planes > 4) text += ", relief_cones_1 = " + what + " 4 to " + std::to_string(planes - 1);
     }

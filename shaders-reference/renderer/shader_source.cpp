@@ -56,6 +56,7 @@ std::vector<ShaderConstant> shader_constants(const ShaderConfig& config) {
             {"RELIEF_NORMAL_DX", config.normal_y == NormalY::dx},
             {"RELIEF_SECTORS", config.sectors},
             {"RELIEF_LEVELS", config.levels},
+            {"RELIEF_PIECES", config.pieces},
             {"RELIEF_PLANES", std::max(config.sectors, config.levels)},
             {"RELIEF_LOOKUP", lookup_number(config)},
             {"RELIEF_CONE_FETCHES", cone_fetches(config)},
@@ -74,7 +75,8 @@ ShaderConfig shader_config(const ReliefMap& map, Technique technique, bool exact
     config.normal_unorm = is_unorm(info.bits);
     config.normal_y = info.normal_y;
     config.sectors = info.kind == "acm" ? int(map.cone_planes.size()) : 0;
-    config.levels = info.kind == "cone-stack" ? int(map.cone_planes.size()) : 1;
+    config.pieces = info.kind == "cone-pieces";
+    config.levels = config.pieces || info.kind == "cone-stack" ? int(map.cone_planes.size()) : 1;
     config.lookup = info.lookup;
     config.holes = info.holes;
     config.empty_cones = has_cones(map) && info.family == ConeFamily::conservative;

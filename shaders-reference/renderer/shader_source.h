@@ -33,7 +33,8 @@ struct ShaderConfig {
     bool normal_unorm = true; ///< normals stored as 0.5 n + 0.5
     NormalY normal_y = NormalY::gl;
     int sectors = 0;          ///< 0: one cone for all; 4, 8
-    int levels = 1;           ///< cones stacked, 1 to 8
+    int levels = 1;           ///< cones stacked, or pieces, 1 to 8
+    bool pieces = false;      ///< the levels are pieces of one cone
     ConeLookup lookup = ConeLookup::filtered;
     bool holes = false;       ///< depth 1 is a hole
     bool empty_cones = true;  ///< nothing of the relief is inside: shadow rays may leap too

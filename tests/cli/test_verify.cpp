@@ -139,6 +139,7 @@ TEST_CASE("Every family is baked, explained and verified; what does not fit is r
         {"acm --sectors 4 --metric l1", "conservative", "C"},
         {"acm --sectors 8 --kind relaxed", "relaxed", "R"},
         {"cone-stack --levels 3", "conservative", "C"},
+        {"cone-stack --levels 3 --method 2", "conservative", "C"},
     };
     for (const auto& [bake, family, guarantee] : families) {
         CAPTURE(bake);
@@ -152,7 +153,8 @@ TEST_CASE("Every family is baked, explained and verified; what does not fit is r
     }
     for (const char* bad : {"cone --relaxed strict", "cone --delta 0.1", "cone --kind hybrid", "cone --kind relaxed --surface texel",
                             "cone --lookup cell --surface texel", "acm --sectors 5", "acm --sectors 8 --metric l1", "acm --kind hybrid",
-                            "cone --kind relaxed --relaxed slope:-1", "cone-stack --levels 0"}) {
+                            "cone --kind relaxed --relaxed slope:-1", "cone-stack --levels 0",
+                            "cone-stack --method 3"}) {
         CAPTURE(bad);
         CHECK(run_tool(std::string(bad) + " " + height + " -o bad.exr").status == 2);
     }

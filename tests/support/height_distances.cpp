@@ -81,6 +81,11 @@ HeightDistances::HeightDistances(const DepthMap& depth, Metric metric) : depth_(
     }
 }
 
+double HeightDistances::to_higher(int i, int j, double height) const {
+    const int code = int(std::ceil((1 - height) * 255 - 1e-9)) - 1; // the deepest that is higher
+    return code < 0 ? infinity : distance_[std::size_t(std::min(code, levels - 1))](i, j);
+}
+
 double HeightDistances::cone(int i, int j, double lift, double ratio_max) const {
     const double apex_code = double(depth_.level(i, j)) * (1 - lift);
     double ratio = ratio_max;

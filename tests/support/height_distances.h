@@ -17,6 +17,9 @@ class HeightDistances {
     /// `depth` must be of 8 bits.
     HeightDistances(const DepthMap& depth, Metric metric);
 
+    /// rho: distance from the centre of texel (i, j) to the nearest one higher than `height`.
+    double to_higher(int i, int j, double height) const;
+
     /// Cone of texel centres whose apex stands `lift` (1 - h) of height above texel (i, j): min over levels z of rho(z) / (z - apex),
     /// z just below each level, capped.
     double cone(int i, int j, double lift, double ratio_max) const;

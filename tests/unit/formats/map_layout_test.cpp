@@ -79,6 +79,8 @@ const Case cases[] = {
     {"p.tif", "cone-stack", 3, ChannelLayout::rgba, BitDepth::unorm16},
     {"q.exr", "cone-stack", 4, ChannelLayout::rgba, BitDepth::half},
     {"r.exr", "cone-stack", 6, ChannelLayout::named, BitDepth::float32},
+    {"s.png", "cone-pieces", 3, ChannelLayout::rgba, BitDepth::unorm8},
+    {"t.exr", "cone-pieces", 5, ChannelLayout::named, BitDepth::half},
 };
 
 } // namespace

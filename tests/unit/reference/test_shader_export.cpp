@@ -33,7 +33,8 @@ std::vector<ReliefMap> maps_of_all_kinds() {
         std::size_t planes;
     };
     std::vector<ReliefMap> maps;
-    for (const Kind kind : {Kind{"cone", 0}, Kind{"acm", 4}, Kind{"acm", 8}, Kind{"cone-stack", 3}, Kind{"cone-stack", 8}})
+    for (const Kind kind : {Kind{"cone", 0}, Kind{"acm", 4}, Kind{"acm", 8}, Kind{"cone-stack", 3}, Kind{"cone-stack", 8},
+                            Kind{"cone-pieces", 3}, Kind{"cone-pieces", 8}})
         for (const ConeEncoding encoding : {ConeEncoding::ratio, ConeEncoding::sqrt, ConeEncoding::radius, ConeEncoding::normal})
             for (const ConeLookup lookup : {ConeLookup::filtered, ConeLookup::cell})
                 for (const ConeFamily family : {ConeFamily::conservative, ConeFamily::relaxed, ConeFamily::hybrid}) {

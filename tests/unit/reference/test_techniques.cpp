@@ -265,6 +265,29 @@ TEST_CASE("the longest step of a stack's cones wins", "[techniques]") {
     CHECK(rendering.counts(48, 36)[1] == 2);
 }
 
+TEST_CASE("a step leaves a cone of pieces through one of them", "[techniques]") {
+    // Floor at 0: the pieces meet at 1/2. The first step starts at 1, above both.
+    const DepthMap floor = depth_of({4, 4, Wrap::repeat, Wrap::repeat, 1}, [](int, int) { return 0.0; });
+    ReliefMap map = as_kind(float_map(floor), "cone-pieces", 2);
+    RenderOptions options = frame_of(Technique::cone, 60, 90);
+    options.max_steps = 1;
+    options.view.field_of_view = 0.1;
+    const auto step = [&](float lower, float upper) {
+        std::fill(map.cone_planes[0].begin(), map.cone_planes[0].end(), lower);
+        std::fill(map.cone_planes[1].begin(), map.cone_planes[1].end(), upper);
+        const Rendering rendering = drawn(map, options);
+        const Quad& ray = rendering.ray(48, 36);
+        return std::pair(rendering.counts(48, 36)[3], std::hypot(ray[2], ray[3]));
+    };
+    const auto [low, reach] = step(1.0f, 0.6f);
+    CHECK(low == Approx(1 / (reach + 1)).epsilon(1e-5)); // the lower piece is as wide as a cone of ratio 1
+    const auto [high, same] = step(0.1f, 0.06f); // radii 0.05 at 1/2, 0.06 at 1
+    REQUIRE(0.5 * same > 0.05);
+    CHECK(high == Approx((0.05 + 0.02 * 0.5) / (same + 0.02)).epsilon(1e-5));
+    const auto [flat, also] = step(0.1f, 0.01f); // a radius of 0.01 at 1 is 0.05, as below it
+    CHECK(flat == Approx(0.05 / also).epsilon(1e-5));
+}
+
 TEST_CASE("lookups cost what they read", "[techniques]") {
     ReliefMap map = float_map(noise(square, 5));
     RenderOptions options = frame_of(Technique::cone);
