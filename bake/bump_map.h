@@ -33,10 +33,10 @@ struct BumpMapInfo {
     double derivative_scale = 1;  ///< derivative: that of the largest integer code; 1 in floating formats, which hold derivatives themselves
     double depth_scale = 0.1;     ///< normal, horizon: depth of the relief in texture widths, S
     double error = 0;             ///< largest |decoded value - exact one of the stored depth|, at texel centres
-    std::string version;          ///< of reliefbake
-    std::string source_hash;      ///< XXH3-128 of the decoded source plane
-    std::string argument_hash;    ///< XXH3-128 of the options that fix the result
-    std::map<std::string, double> statistics;
+    std::string version{};        ///< of reliefbake
+    std::string source_hash{};    ///< XXH3-128 of the decoded source plane
+    std::string argument_hash{};  ///< XXH3-128 of the options that fix the result
+    std::map<std::string, double> statistics{};
 };
 
 /// Planes hold what a sampler returns. derivative: du, dv; normal: x, y, z; horizon: one an azimuth. Depth, beside them, is the

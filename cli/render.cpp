@@ -145,6 +145,8 @@ Result<void> RenderCommand::run() {
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
     if (*kind == "shape") return run_shape();
+    if (bump_kind_of(*kind))
+        return fail(ErrorCode::usage, options_.file + ": is a map of kind " + *kind + "; a cone map is drawn, horizons with it by --shadow horizon --horizon FILE");
     if (Result<void> fits = refuse_given(*app_, solid_group, {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
     if (options_.picture.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
     if ((options_.picture.shadow == Shadow::horizon) == options_.horizons.empty())

@@ -3,6 +3,7 @@
 #include "formats/fact_reader.h"
 
 #include <array>
+#include <cmath>
 
 namespace reliefbake {
 
@@ -25,9 +26,10 @@ T required(const std::optional<T>& fact, const char* key, BumpFacts& facts) {
 }
 
 json azimuths(const TexelGrid& grid) {
-    constexpr double half_turn = 3.14159265358979323846;
+    // Rounded: the C library's last bit of an angle differs between processors, and files must not.
+    constexpr double half_turn = 3.14159265358979323846, digits = 1e6;
     json degrees = json::array();
-    for (int k = 0; k < horizon_azimuths; ++k) degrees.push_back(horizon_angle(grid, k) * 180 / half_turn);
+    for (int k = 0; k < horizon_azimuths; ++k) degrees.push_back(std::round(horizon_angle(grid, k) * 180 / half_turn * digits) / digits);
     return degrees;
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace reliefbake {
 namespace {
@@ -87,11 +86,12 @@ BumpReport check_texels(const BumpMap& map, const BilinearSurface& surface, int 
 /// How far a stored sine is from what the oracle sees; where it must stop looking, from all that it may have overlooked.
 double horizon_distance(const BumpMap& map, const BilinearSurface& surface, int plane, int x, int y) {
     const bool repeats = map.grid.wrap_x == Wrap::repeat || map.grid.wrap_y == Wrap::repeat;
-    const double far = repeats ? farthest_horizon : std::numeric_limits<double>::infinity();
+    // Beyond the farther of its borders a clamped map is level; no azimuth runs slower than 1/2.24 towards either.
+    const double far = repeats ? farthest_horizon : 2.5 * (1 + map.grid.aspect());
     const double scale = map.info.depth_scale;
     const auto sine = [scale](double slope) { return scale * slope / std::sqrt(1 + scale * scale * slope * slope); };
     const double slope = texel_horizon(surface, x, y, Heading::from_angle(horizon_angle(map.grid, plane)), far);
-    const double overlooked = (surface.highest() - surface.texel(x, y)) / far;
+    const double overlooked = repeats ? (surface.highest() - surface.texel(x, y)) / far : 0;
     const double stored = decode_bump(map.planes[std::size_t(plane)](x, y), map.info);
     return std::max(sine(slope) - stored, stored - sine(std::max(slope, overlooked)));
 }

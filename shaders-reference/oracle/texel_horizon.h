@@ -6,7 +6,7 @@
 namespace reliefbake {
 
 /// sup over 0 < s <= max_distance of (H(p + s heading) - H(p)) / s at the centre of texel (i, j), at least 0; height per texture
-/// width. max_distance, texture widths, is finite on a repeated surface: nothing else ends a line that never rises.
+/// width. max_distance, texture widths, is finite: nothing else ends a line that never rises.
 double texel_horizon(const BilinearSurface& surface, int i, int j, const Heading& heading, double max_distance);
 
 } // namespace reliefbake
