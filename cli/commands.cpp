@@ -8,6 +8,7 @@
 #include "cli/bench_cone.h"
 #include "cli/bench_dynamic.h"
 #include "cli/bench_peer.h"
+#include "cli/bench_quadric.h"
 #include "cli/explain.h"
 #include "cli/render.h"
 #include "cli/shader.h"
@@ -33,6 +34,7 @@ constexpr CommandEntry all_commands[] = {
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
     {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},
+    {"bench quadric", "Time the fit of quadrics, and judge it on known surfaces", make<BenchQuadricCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
