@@ -2,6 +2,8 @@
 
 #include "cli/quadric_report.h"
 #include "cli/stage_clock.h"
+#include "formats/write_image.h"
+#include "shaders-reference/measure/curvature_picture.h"
 
 #include <cstdio>
 #include <utility>
@@ -20,11 +22,18 @@ Result<std::vector<QuadricBake>> bake_all(const QuadricCommandOptions& plan, con
     return bakes;
 }
 
+Result<void> write_preview(const QuadricCommandOptions& plan, const std::vector<Mesh>& meshes) {
+    if (plan.preview.empty()) return {};
+    constexpr int side = 600;
+    const RgbImage picture = curvature_picture(meshes, side);
+    return write_png(plan.preview, picture.width, picture.height, 3, picture.rgb);
+}
+
 Result<void> write_all(const QuadricCommandOptions& plan, const MeshFile& file, const std::vector<QuadricBake>& bakes) {
     std::vector<Mesh> meshes;
     std::vector<std::vector<std::uint32_t>> sources;
     for (const QuadricBake& bake : bakes) meshes.push_back(bake.mesh), sources.push_back(bake.source);
-    return write_mesh(plan.output, file, meshes, sources, plan.store, quadric_info(plan, bakes));
+    return write_mesh(plan.output, file, meshes, sources, plan.store, quadric_info(plan, bakes)).and_then([&] { return write_preview(plan, meshes); });
 }
 
 } // namespace

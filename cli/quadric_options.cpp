@@ -2,20 +2,14 @@
 
 #include "cli/choices.h"
 #include "cli/number_options.h"
+#include "cli/output_checks.h"
 #include "cli/thread_option.h"
-
-#include <cerrno>
-#include <filesystem>
-#include <system_error>
-#include <unistd.h>
 
 namespace reliefbake {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-const Words<QuadricFit> fit_words = {{"ring", QuadricFit::ring}, {"paper", QuadricFit::paper}};
+const Words<QuadricFit> fit_words = {{"ring", QuadricFit::ring}, {"paper", QuadricFit::paper}, {"jet", QuadricFit::jet}};
 const Words<FrameKind> frame_words = {{"uv", FrameKind::uv}, {"mesh", FrameKind::mesh}, {"principal", FrameKind::principal}};
 const Words<bool> term_words = {{"ab", false}, {"abc", true}};
 
@@ -34,12 +28,10 @@ void parse_store(const std::string& text, QuadricStore& store) {
     }
 }
 
-Result<void> check_output_folder(const std::string& output) {
-    const fs::path parent = fs::path(output).parent_path();
-    const fs::path folder = parent.empty() ? "." : parent;
-    if (access(folder.c_str(), W_OK | X_OK) == 0) return {};
-    return fail(ErrorCode::cannot_create,
-                output + ": cannot create a file in " + folder.string() + ": " + std::generic_category().message(errno));
+Result<void> validate_preview(const QuadricCommandOptions& plan) {
+    if (plan.preview.empty()) return {};
+    if (extension_of(plan.preview) != ".png") return fail(ErrorCode::usage, "--preview: expected a name that ends in .png, found '" + plan.preview + "'");
+    return validate_not_input(plan.input, plan.preview).and_then([&] { return validate_output_folder(plan.preview); });
 }
 
 } // namespace
@@ -48,7 +40,8 @@ void add_quadric_options(CLI::App& app, QuadricCommandOptions& o) {
     app.add_option("MESH", o.input, "Mesh: obj, ply, off, stl, gltf, glb")->required();
     app.option_defaults()->group("Fit");
     add_choice(app, "--fit", o.quadric.fit, fit_words,
-               "ring: five terms, right in every frame; paper: a and b as printed, right only in frames along the principal directions (default ring)");
+               "ring: five terms, right in every frame; paper: a and b as printed, right only in frames along the principal directions; "
+               "jet: CGAL's, in builds that hold it (default ring)");
     add_choice(app, "--terms", o.quadric.twist, term_words, "Terms to store: a x^2 + b y^2, or with c x y (default abc)");
     add_choice(app, "--frame", o.quadric.frame, frame_words,
                "x and y of the quadric: along u (MikkTSpace), the file's tangents, or the direction of strongest curvature "
@@ -60,6 +53,7 @@ void add_quadric_options(CLI::App& app, QuadricCommandOptions& o) {
     app.add_option_function<std::string>("--store", [&o](const std::string& text) { parse_store(text, o.store); },
                                          "Where quadrics go: attributes _QUADRIC or quadric_a ..., texture coordinates, or colours (default attr)")
         ->type_name("attr|uv:N|color");
+    app.add_option("--preview", o.preview, "Picture to write beside it: mean curvature (red bulges) and Gaussian (blue are saddles)")->type_name("PNG");
     CLI::Option* json = app.add_flag("--json", o.json, "Print one result object (cli/schema/quadric.schema.json)");
     app.add_flag("--quiet", o.quiet, "Print nothing unless something is wrong")->excludes(json);
 }
@@ -67,12 +61,11 @@ void add_quadric_options(CLI::App& app, QuadricCommandOptions& o) {
 Result<QuadricCommandOptions> plan_quadric(const QuadricCommandOptions& given) {
     QuadricCommandOptions plan = given;
     plan.store.twist = plan.quadric.twist;
-    std::error_code ignored;
-    if (fs::equivalent(given.input, given.output, ignored))
-        return fail(ErrorCode::usage, given.output + ": the output is the input file; choose another name");
     if (given.quadric.fit == QuadricFit::paper) plan.store.twist = plan.quadric.twist = false; // it has no third term
-    return check_mesh_output(plan.output, plan.store)
-        .and_then([&] { return check_output_folder(plan.output); })
+    return validate_not_input(plan.input, plan.output)
+        .and_then([&] { return check_mesh_output(plan.output, plan.store); })
+        .and_then([&] { return validate_output_folder(plan.output); })
+        .and_then([&] { return validate_preview(plan); })
         .and_then([&] { return resolve_threads(given.quadric.threads); })
         .map([&](int threads) {
             plan.quadric.threads = threads;

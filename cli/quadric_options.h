@@ -19,6 +19,7 @@ struct QuadricCommandOptions {
     MeshReadOptions read;   ///< --max-bytes
     QuadricOptions quadric; ///< --fit --terms --frame --threads
     QuadricStore store;     ///< --store
+    std::string preview;    ///< --preview: a PNG
     bool json = false, quiet = false;
 };
 

@@ -18,7 +18,9 @@ Result<std::vector<std::byte>> encode_document(const MeshFile& file, const std::
     GltfSource made;
     std::vector<std::vector<std::uint32_t>> own_sources = sources;
     if (!file.gltf) {
-        made = make_gltf(meshes[0], "reliefbake " RELIEFBAKE_VERSION);
+        Result<GltfSource> document = make_gltf(meshes[0], "reliefbake " RELIEFBAKE_VERSION, name);
+        if (!document) return tl::unexpected(document.error());
+        made = std::move(*document);
         for (std::size_t v = 0; v < own_sources[0].size(); ++v) own_sources[0][v] = std::uint32_t(v); // copies are vertices like others here
     }
     Result<GltfDocument> document = attach_quadrics(file.gltf ? *file.gltf : made, meshes, own_sources, store, info, name);

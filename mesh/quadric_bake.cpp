@@ -1,6 +1,7 @@
 #include "mesh/quadric_bake.h"
 
 #include "bake/parallel.h"
+#include "mesh/jet_fit.h"
 #include "mesh/paper_fit.h"
 #include "mesh/vertex_frames.h"
 
@@ -79,6 +80,8 @@ double share_of_twist(const std::vector<Quadric>& quadrics) {
 } // namespace
 
 Result<QuadricBake> bake_quadrics(const Mesh& mesh, const QuadricOptions& options, const std::string& name) {
+    if (options.fit == QuadricFit::jet && !has_jet_fit())
+        return fail(ErrorCode::usage, "--fit jet: this build holds no CGAL, for its licence; configure with -DRELIEFBAKE_CGAL=ON, or use --fit ring");
     const Result<FrameKind> frame = choose_frame(mesh, options.frame, name);
     if (!frame) return tl::unexpected(frame.error());
     QuadricBake bake{mesh, std::vector<std::uint32_t>(mesh.positions.size()), *frame, {}};
@@ -88,7 +91,8 @@ Result<QuadricBake> bake_quadrics(const Mesh& mesh, const QuadricOptions& option
 
     // Fit once a position.
     const WeldedSurface surface = weld_surface(mesh, options.threads);
-    const SurfaceFit fit = fit_surface(surface, options.threads);
+    SurfaceFit fit = fit_surface(surface, options.threads);
+    if (options.fit == QuadricFit::jet) fit = fit_jets(surface, fit, options.threads);
     count_positions(surface, fit, counts);
     measure_residuals(fit, bake);
 

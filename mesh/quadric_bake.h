@@ -12,6 +12,7 @@ namespace reliefbake {
 
 enum class QuadricFit {
     ring,  ///< five terms over the ring, once a position, turned into each vertex's frame
+    jet,   ///< CGAL's jets over the ring, in builds that hold CGAL
     paper, ///< a and b alone over the ring in the vertex's own frame, as printed: right only in frames along the principal directions
 };
 

@@ -2,6 +2,7 @@
 #include "formats/mesh/gltf_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace reliefbake {
@@ -25,7 +26,16 @@ std::string base64(std::string_view bytes) {
 
 } // namespace
 
-GltfSource make_gltf(const Mesh& mesh, const std::string& generator) {
+Result<GltfSource> make_gltf(const Mesh& mesh, const std::string& generator, const std::string& name) {
+    const auto beyond = [](const auto& v) {
+        for (unsigned k = 0; k < v.dimensions(); ++k)
+            if (!std::isfinite(float(v[int(k)]))) return true;
+        return false;
+    };
+    const auto bad = std::count_if(mesh.positions.begin(), mesh.positions.end(), beyond) + std::count_if(mesh.uvs.begin(), mesh.uvs.end(), beyond);
+    if (bad > 0)
+        return fail(ErrorCode::bad_data, name + ": glTF cannot hold the " + std::to_string(bad) +
+                                             " positions or texture coordinates that are not finite as floats; write .ply, or repair the mesh");
     GltfSource empty;
     empty.document = {{"asset", {{"version", "2.0"}, {"generator", generator}}},
                       {"scene", 0},

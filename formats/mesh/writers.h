@@ -25,7 +25,8 @@ struct GltfDocument {
 };
 
 /// A document with one mesh that holds positions (as floats), texture coordinates and triangles, and how it is made of them.
-GltfSource make_gltf(const Mesh& mesh, const std::string& generator);
+/// Errors: bad_data (numbers that are not finite as floats, which glTF cannot hold).
+Result<GltfSource> make_gltf(const Mesh& mesh, const std::string& generator, const std::string& name);
 
 /// `source` with normals, tangents and quadrics in the primitives of `meshes`. What these share with the source stays
 /// untouched; a primitive with split vertices gets new arrays, copied byte for byte. Everything new lies in one more buffer.

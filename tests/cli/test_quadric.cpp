@@ -60,6 +60,16 @@ TEST_CASE("quadric: same bytes for every number of threads and every locale") {
     }
 }
 
+TEST_CASE("quadric: a preview is a picture of two panels") {
+    write_sheet("sheet.obj");
+    REQUIRE(run_tool("quadric sheet.obj -o sheet.ply --quiet --preview sheet.png").status == 0);
+    const std::string bytes = bytes_of(work_folder() / "sheet.png");
+    REQUIRE(bytes.size() > 2000);
+    const auto number = [&](std::size_t at) { return (unsigned char)bytes[at] << 8 | (unsigned char)bytes[at + 1]; };
+    CHECK(number(18) == 1200);
+    CHECK(number(22) == 600);
+}
+
 TEST_CASE("quadric: what cannot be is refused in one line and leaves no file") {
     write_sheet("sheet.obj");
     { std::ofstream(work_folder() / "points.obj") << "v 0 0 0\n"; }
@@ -78,6 +88,8 @@ TEST_CASE("quadric: what cannot be is refused in one line and leaves no file") {
         {"sheet.obj -o refused.glb --frame flat", 2, "uv|mesh|principal"},
         {"sheet.obj -o refused.glb --fit best", 2, "expected"},
         {"sheet.obj -o sheet.obj", 2, "input file"},
+        {"sheet.obj -o refused.glb --preview refused.jpg", 2, "--preview"},
+        {"sheet.obj -o refused.glb --preview nowhere/p.png", 73, "nowhere"},
         {"points.obj -o refused.glb", 65, "no faces"},
         {"broken.glb -o refused.glb", 65, "broken.glb"},
         {"absent.obj -o refused.glb", 66, "absent.obj"},

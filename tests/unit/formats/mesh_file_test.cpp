@@ -294,6 +294,17 @@ TEST_CASE("quadrics as texture coordinates and colours") {
     REQUIRE(document["accessors"][document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>()]["normalized"] == true);
 }
 
+TEST_CASE("glTF refuses numbers that it cannot hold, PLY keeps them") {
+    const Result<MeshFile> file = read_mesh(put("far.obj", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 2 4 3\n"));
+    REQUIRE(file);
+    const QuadricBake made = bake(file->meshes[0]);
+    const Result<void> written = write_mesh(folder() / "far.glb", *file, {made.mesh}, {made.source}, {}, {});
+    REQUIRE(written.error().code == ErrorCode::bad_data);
+    REQUIRE(written.error().message.find("write .ply") != std::string::npos);
+    write(folder() / "far.ply", *file, made);
+    REQUIRE(read_one(folder() / "far.ply").positions[0].x == 1e39);
+}
+
 TEST_CASE("files that cannot carry quadrics are refused with the way out") {
     for (const char* name : {"m.obj", "m.OBJ", "m.stl", "m.off"}) {
         const Result<void> checked = check_mesh_output(name, {});
