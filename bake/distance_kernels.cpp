@@ -92,31 +92,38 @@ void SquareRow64(const RowCount* rows, int width, bool to_squares, const std::ui
 }
 
 /// The lower envelope of a row: out[x] = min over a of column[a] + squares[x - a].
-/// The squares are convex, so that two candidates' curves cross once: the best candidate a(x) never falls as x grows. Halving a span
-/// therefore halves the candidates (all spans of one size look at count + spans of them together), and short spans try all
-/// that are left in vectors.
+/// The squares are convex, so that two candidates' curves cross once: the best candidate of a column never lies left of that of a
+/// column further left. So the best of every 2^k-th column, then of those half-way between them, and so on, are each sought between two
+/// that are known: one halving looks at no more than all candidates and one more for each column. What is left between two known
+/// columns is tried in vectors.
 template <class T>
 class Envelope {
   public:
     Envelope(const EnvelopeRow<T>& row, T* out) : row_(row), out_(out) {}
 
     void Solve() {
-        const int left = row_.first, right = row_.last;
-        SolveSpan({left, Best(left, 0, row_.count - 1), right, Best(right, 0, row_.count - 1)});
+        const int blocks = (row_.last - row_.first) / kBlock + 1; // the last one ends with the row, within its columns
+        const auto column = [&](int k) { return std::min(row_.first + k * kBlock, row_.last); };
+        int best[kMostBlocks + 1]; // of the columns between blocks
+        best[0] = Best(column(0), 0, row_.count - 1);
+        best[blocks] = Best(column(blocks), 0, row_.count - 1);
+        int step = 1;
+        while (2 * step < blocks) step *= 2;
+        for (; step > 0; step /= 2) // those of one step do not wait for each other
+            for (int k = step; k < blocks; k += 2 * step) {
+                const int from = best[k - step], to = best[std::min(k + step, blocks)];
+                best[k] = from >= to ? from : Best(column(k), from, to);
+            }
+        for (int k = 0; k < blocks; ++k) Fill(column(k), column(k + 1), best[k], best[k + 1]);
     }
 
   private:
     using D = hn::ScalableTag<T>;
-    static constexpr int kBlock = 16;  ///< texels of the shortest span
-    static constexpr int kShort = 1024; ///< columns times candidates that are tried at once
-    static constexpr int kFew = 64;    ///< candidates that need no narrowing
+    static constexpr int kBlock = 32; ///< columns between two whose best candidate is sought
+    static constexpr int kMostBlocks = 65536 / kBlock + 1;
+    static constexpr int kFew = 256;  ///< candidates that need no narrowing
     static constexpr int kLanes = HWY_LANES(T) < kBlock ? int(HWY_LANES(T)) : kBlock;
     static constexpr int kVectors = kBlock / kLanes;
-
-    /// Columns left to right, and the best candidates of both.
-    struct Span {
-        int left, from, right, to;
-    };
 
     T Value(int x, int a) const { return row_.column[a] + row_.squares[x - a]; }
 
@@ -146,61 +153,33 @@ class Envelope {
         from = std::max(from, x - reach), to = std::min(to, x + reach);
     }
 
-    void SolveSpan(const Span& whole) {
-        Span stack[40];
-        int depth = 0;
-        stack[depth++] = whole;
-        while (depth > 0) {
-            const Span span = stack[--depth];
-            if (IsShort(span)) {
-                Fill(span);
-                continue;
-            }
-            const int middle = span.left + (span.right - span.left) / 2;
-            const int best = Best(middle, span.from, span.to);
-            stack[depth++] = {middle, best, span.right, span.to};
-            stack[depth++] = {span.left, span.from, middle, best};
-        }
-    }
-
-    /// Trying all candidates in all columns is cheaper than another search.
-    static bool IsShort(const Span& span) {
-        const int columns = span.right - span.left, candidates = span.to - span.from + 1;
-        return columns <= kBlock || columns * candidates <= kShort;
-    }
-
-    /// Left to right, so that what is written beyond the right end is written again.
-    void Fill(const Span& span) {
-        if (span.from >= span.to) return FillOne(span);
-        if (IsInside(span)) {
-            std::memset(out_ + (span.left - row_.first), 0, std::size_t(span.right - span.left + 1) * sizeof(T));
-            return;
-        }
+    /// Columns left to right with candidates from..to. What is written beyond the right end is written again by the next block.
+    void Fill(int left, int right, int from, int to) {
         const hn::CappedTag<T, kBlock> d;
         const int lanes = int(hn::Lanes(d));
-        for (int x = span.left; x <= span.right; x += lanes * kVectors) {
-            hn::Vec<decltype(d)> best[kVectors];
-            for (auto& b : best) b = hn::Set(d, std::numeric_limits<T>::max());
-            for (int a = span.from; a <= span.to; ++a) {
-                const auto height = hn::Set(d, row_.column[a]);
-                const T* squares = row_.squares + (x - a);
-                for (int k = 0; k < kVectors; ++k) best[k] = hn::Min(best[k], hn::Add(height, hn::LoadU(d, squares + k * lanes)));
-            }
-            for (int k = 0; k < kVectors; ++k) hn::StoreU(best[k], d, out_ + (x - row_.first) + k * lanes);
+        T* out = out_ + (left - row_.first);
+        if (IsInside(left, right)) {
+            std::fill_n(out, right - left + 1, T(0));
+            return;
         }
+        hn::Vec<decltype(d)> best[kVectors];
+        const T* squares = row_.squares + (left - from);
+        const auto first = hn::Set(d, row_.column[from]);
+        for (int k = 0; k < kVectors; ++k) best[k] = hn::Add(first, hn::LoadU(d, squares + k * lanes));
+        for (int a = from + 1; a <= to; ++a) {
+            const auto height = hn::Set(d, row_.column[a]);
+            --squares;
+            for (int k = 0; k < kVectors; ++k) best[k] = hn::Min(best[k], hn::Add(height, hn::LoadU(d, squares + k * lanes)));
+        }
+        for (int k = 0; k < kVectors; ++k) hn::StoreU(best[k], d, out + k * lanes);
     }
 
-    void FillOne(const Span& span) {
-        const D d;
-        const auto height = hn::Set(d, row_.column[span.from]);
-        for (int x = span.left; x <= span.right; x += int(hn::Lanes(d)))
-            hn::StoreU(hn::Add(height, hn::LoadU(d, row_.squares + (x - span.from))), d, out_ + (x - row_.first));
-    }
-
-    bool IsInside(const Span& span) const {
-        if (row_.column[span.left] != 0 || row_.column[span.right] != 0) return false;
-        const T* column = row_.column + span.left;
-        return std::all_of(column, column + (span.right - span.left), [](T v) { return v == 0; });
+    bool IsInside(int left, int right) const {
+        if (row_.column[left] != 0 || row_.column[right] != 0) return false;
+        const T* column = row_.column + left;
+        T all = 0;
+        for (int k = 0; k < right - left; ++k) all = std::max(all, column[k]);
+        return all == 0;
     }
 
     const EnvelopeRow<T>& row_;

@@ -95,11 +95,15 @@ Result<nlohmann::json> time_python_peers(const Image<std::uint8_t>& picture, con
     std::ofstream(program) << script;
     if (folder.path().empty() || !write_plane(in, picture) || !write_plane(distances, ours))
         return fail(ErrorCode::write_failed, "--peers: cannot write temporary files in " + fs::temp_directory_path().string());
-    std::string command = "python3";
-    for (const std::string& argument : {program.string(), in.string(), distances.string()}) command += " '" + argument + "'";
-    for (const int number : {picture.width(), picture.height(), run.threads, run.repeat}) command += " " + std::to_string(number);
-    const nlohmann::json results = nlohmann::json::parse(output_of(command + " 2>/dev/null"), nullptr, false);
-    return results.is_array() ? results : nlohmann::json::array();
+    std::string arguments;
+    for (const std::string& argument : {program.string(), in.string(), distances.string()}) arguments += " '" + argument + "'";
+    for (const int number : {picture.width(), picture.height(), run.threads, run.repeat}) arguments += " " + std::to_string(number);
+    // The first python3 of PATH need not be the system's, which has the distribution's packages.
+    for (const char* python : {"python3", "/usr/bin/python3"}) {
+        const nlohmann::json results = nlohmann::json::parse(output_of(python + arguments + " 2>/dev/null"), nullptr, false);
+        if (results.is_array() && !results.empty()) return results;
+    }
+    return nlohmann::json::array();
 }
 
 } // namespace reliefbake
