@@ -26,7 +26,8 @@ SolidHit circle_trace(SolidRay ray, float t_end) {
         }
         bool widening = place.z < solid_chamfer;
         float step = solid_quotient(hit.gap, widening ? speed + solid_bevel * ray.direction.z : speed);
-        if (widening) step = max(step, solid_quotient(distance - solid_widened(solid_chamfer), speed));
+        float beyond_foot = distance - solid_widened(solid_chamfer);
+        if (widening && beyond_foot > 0.0) step = max(step, solid_quotient(beyond_foot, speed));
         before = hit.t;
         hit.t += step;
         if (hit.t >= t_end) {

@@ -25,6 +25,24 @@ double brute_distance(const TexelGrid& grid, const Image<std::uint8_t>& shape, d
     return best;
 }
 
+void compare_with_brute_force(const TexelGrid& grid, const Image<std::uint8_t>& squares, ShapeModel model, std::mt19937& random) {
+    const PixelShape shape(grid, squares, model);
+    for (int k = 0; k < 20; ++k) {
+        const double u = uniform(random, -1.5, 2.5), v = uniform(random, -1.5, 2.5);
+        for (const bool inside : {false, true}) {
+            const NearestPoint nearest = shape.nearest(u, v, inside);
+            const double truth = brute_distance(grid, squares, u, v, inside, model == ShapeModel::centres ? 0.5 : 0);
+            if (std::isinf(truth)) {
+                CHECK(std::isinf(nearest.distance));
+                continue;
+            }
+            CHECK(nearest.distance == Approx(truth).margin(1e-12));
+            CHECK(std::hypot(u - nearest.u, grid.aspect() * (v - nearest.v)) == Approx(truth).margin(1e-12));
+        }
+        if (model == ShapeModel::squares) CHECK(shape.contains(u, v) == (shape.nearest(u, v, true).distance == 0));
+    }
+}
+
 } // namespace
 
 TEST_CASE("the distance to pixel squares and centres is that of brute force, at every odd size", "[oracle][shape]") {
@@ -34,25 +52,10 @@ TEST_CASE("the distance to pixel squares and centres is that of brute force, at 
         for (const Wrap wrap_x : {Wrap::repeat, Wrap::clamp})
             for (const Wrap wrap_y : {Wrap::repeat, Wrap::clamp})
                 for (const unsigned share : {0u, 8u, 128u, 250u, 256u})
-                  for (const ShapeModel model : {ShapeModel::squares, ShapeModel::centres}) {
-                    const TexelGrid grid{size[0], size[1], wrap_x, wrap_y, 1.3};
-                    const Image<std::uint8_t> squares = random_shape(grid, random(), share);
-                    const PixelShape shape(grid, squares, model);
-                    for (int k = 0; k < 20; ++k) {
-                        const double u = uniform(random, -1.5, 2.5), v = uniform(random, -1.5, 2.5);
-                        for (const bool inside : {false, true}) {
-                            const NearestPoint nearest = shape.nearest(u, v, inside);
-                            const double truth = brute_distance(grid, squares, u, v, inside, model == ShapeModel::centres ? 0.5 : 0);
-                            if (std::isinf(truth)) {
-                                CHECK(std::isinf(nearest.distance));
-                                continue;
-                            }
-                            CHECK(nearest.distance == Approx(truth).margin(1e-12));
-                            CHECK(std::hypot(u - nearest.u, grid.aspect() * (v - nearest.v)) == Approx(truth).margin(1e-12));
-                        }
-                        if (model == ShapeModel::squares) CHECK(shape.contains(u, v) == (shape.nearest(u, v, true).distance == 0));
+                    for (const ShapeModel model : {ShapeModel::squares, ShapeModel::centres}) {
+                        const TexelGrid grid{size[0], size[1], wrap_x, wrap_y, 1.3};
+                        compare_with_brute_force(grid, random_shape(grid, random(), share), model, random);
                     }
-                }
 }
 
 TEST_CASE("the signed distance changes by no more than the way gone", "[oracle][shape]") {
