@@ -100,6 +100,9 @@ std::vector<std::string> quadric_warnings(const QuadricRun& run) {
         warnings.push_back(format("%s leaves out c, which holds %.0f %% of the curvature here: the frames are turned off the principal directions; use %s",
                                   run.plan.quadric.fit == QuadricFit::paper ? "--fit paper" : "--terms ab", 100 * run.statistics.twist_share,
                                   run.plan.quadric.fit == QuadricFit::paper ? "--fit ring" : "--terms abc, or --frame principal"));
+    const bool has_texture = std::any_of(run.file.meshes.begin(), run.file.meshes.end(), [](const Mesh& m) { return !m.uvs.empty(); });
+    if (run.plan.quadric.frame == FrameKind::principal && has_texture)
+        warnings.push_back("--frame principal: the tangents do not follow the texture: normal maps, and reliefs that are marched along u and v, need --frame uv");
     if (const std::string text = store_warning(run.plan.store); !text.empty()) warnings.push_back(text);
     const auto count = [&](std::size_t n, const char* what) {
         if (n > 0) warnings.push_back(std::to_string(n) + " " + what);

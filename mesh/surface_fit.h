@@ -12,7 +12,7 @@ enum PositionFlag : std::uint16_t {
     isolated = 1,        ///< no triangle: the quadric is 0
     no_normal = 2,       ///< its triangles' normals cancel or have no length: 0
     boundary = 4,        ///< an edge with one triangle
-    non_manifold = 8,    ///< an edge with more than two triangles, or two that run the same way; or several fans
+    non_manifold = 8,    ///< an edge with more than two triangles, or two that run the same way; or several open fans
     low_valence = 16,    ///< 1 to 3 neighbours
     second_ring = 32,    ///< the neighbours' neighbours were taken too: the ring alone cannot carry five terms
     short_rank = 64,     ///< even so: the shortest solution

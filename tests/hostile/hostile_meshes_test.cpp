@@ -120,7 +120,7 @@ TEST_CASE("random damage to a valid mesh") {
                 case 2: bytes.erase(place, 1 + random() % 8); break;
                 default: bytes.insert(place, bytes.substr(random() % bytes.size(), random() % 12)); break;
                 }
-                if (bytes.empty()) bytes = " ";
+                if (bytes.empty()) bytes.assign(1, ' ');
             }
             CAPTURE(seed.filename(), trial);
             std::ofstream(bad, std::ios::binary) << bytes;
