@@ -32,7 +32,7 @@ CornerLists list_corners(const Mesh& mesh, const Weld& weld, int threads) {
     CornerLists lists;
     lists.begin.assign(positions + 1, 0);
 
-    std::vector<Triangle>& places = lists.places;
+    LargeArray<Triangle>& places = lists.places;
     places.resize(mesh.triangles.size());
     std::vector<Use> uses(mesh.triangles.size());
     constexpr std::size_t block_triangles = 16384;

@@ -1,6 +1,7 @@
 #pragma once
 // Which triangles meet at each position: the adjacency of a mesh of any topology, by a counting sort.
 
+#include "mesh/large_array.h"
 #include "mesh/mesh.h"
 #include "mesh/weld.h"
 
@@ -11,8 +12,8 @@ namespace reliefbake {
 /// Corner 3 t + k is corner k of triangle t.
 struct CornerLists {
     std::vector<std::uint32_t> begin;   ///< of each position's corners; one more at the end
-    std::vector<std::uint32_t> corners; ///< in ascending order for each position
-    std::vector<Triangle> places;       ///< each triangle's positions; no_position thrice where it is left out
+    LargeArray<std::uint32_t> corners; ///< in ascending order for each position
+    LargeArray<Triangle> places;       ///< each triangle's positions; no_position thrice where it is left out
     std::size_t non_finite_triangles = 0;  ///< left out: a corner is not finite
     std::size_t degenerate_triangles = 0;  ///< left out: two corners lie at one position
 

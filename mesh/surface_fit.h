@@ -38,13 +38,13 @@ TangentBasis tangent_basis(const Imath::V3d& normal);
 struct WeldedSurface {
     Weld weld;
     CornerLists lists;
-    std::vector<Imath::V3d> points; ///< for each position: its coordinates times `scale`
+    LargeArray<Imath::V3d> points; ///< for each position: its coordinates times `scale`
     double scale = 1;
 };
 WeldedSurface weld_surface(const Mesh& mesh, int threads);
 
 struct SurfaceFit {
-    std::vector<SurfaceForm> forms; ///< for each position
+    LargeArray<SurfaceForm> forms; ///< for each position
     std::size_t zero_area_triangles = 0;
 };
 

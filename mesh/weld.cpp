@@ -1,6 +1,7 @@
 #include "mesh/weld.h"
 
 #include "bake/parallel.h"
+#include "mesh/large_array.h"
 
 #include <algorithm>
 #include <bit>
@@ -37,13 +38,13 @@ struct Entry {
 
 /// Finite vertices, bucket after bucket, each bucket in the order of its vertices.
 struct Buckets {
-    std::vector<Entry> entries;
+    LargeArray<Entry> entries;
     std::array<std::size_t, buckets + 1> begin{};
 };
 
 Buckets sort_into_buckets(const std::vector<Imath::V3d>& positions, int threads) {
     const std::size_t blocks = (positions.size() + block_vertices - 1) / block_vertices;
-    std::vector<std::uint64_t> hashes(positions.size());
+    LargeArray<std::uint64_t> hashes(positions.size());
     std::vector<std::array<std::uint32_t, buckets>> counts(blocks);
     const auto each_vertex = [&](int block, const auto& visit) {
         const std::size_t first = std::size_t(block) * block_vertices;

@@ -42,7 +42,7 @@ TEST_CASE("corner lists hold each corner once and leave out what belongs to no r
     const CornerLists lists = list_corners(mesh, weld_positions(mesh.positions, 1), 1);
     REQUIRE(lists.degenerate_triangles == 1);
     REQUIRE(lists.non_finite_triangles == 1);
-    REQUIRE(lists.corners == std::vector<std::uint32_t>{0, 9, 1, 11, 2, 10});
+    REQUIRE(lists.corners == LargeArray<std::uint32_t>{0, 9, 1, 11, 2, 10});
 }
 
 TEST_CASE("neighbours are those of a half-edge mesh of another library") {
