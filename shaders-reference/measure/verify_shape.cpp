@@ -65,7 +65,7 @@ ShapeRenderOptions frame(const ShapeSolid& solid, const ViewAngle& view, int ray
     return result;
 }
 
-RgbImage status_picture(const ShapeRendering& rendering, const Image<Quad>& oracle, double scale) {
+RgbImage error_picture(const ShapeRendering& rendering, const Image<Quad>& oracle, double scale) {
     RgbImage picture{rendering.width(), rendering.height(), {}};
     for (std::size_t k = 0; k < rendering.counts.size(); ++k) {
         std::array<std::uint8_t, 3> colour{};
@@ -92,7 +92,7 @@ Result<ViewPictures> pictures_of(ShapeRenderer& renderer, const PixelShape& shap
     drawing.given = &hits;
     Result<ShapeRendering> truth = renderer.render(drawing);
     if (!truth) return tl::unexpected<Error>(truth.error());
-    return ViewPictures{rendering.colour, std::move(truth->colour), status_picture(rendering, hits, 10 * shape.grid().pitch_x()), steps_picture(rendering, 64)};
+    return ViewPictures{rendering.colour, std::move(truth->colour), error_picture(rendering, hits, 10 * shape.grid().pitch_x()), steps_picture(rendering, 64)};
 }
 
 Result<void> judge_solid(ShapeRenderer& renderer, const PixelShape& shape, SolidReport& report, int rays, const ShapeVerifyOptions& options, double allowed) {

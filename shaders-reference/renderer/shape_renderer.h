@@ -57,7 +57,7 @@ struct ShapeRendering {
     RayStatus status(std::size_t pixel) const { return RayStatus(int(counts[pixel][2])); }
 };
 
-/// The least counts that 003 and 004 use: circles, then halvings.
+/// The counts that 003 and 004 use: circles, then halvings.
 struct CircleCounts {
     int steps, binary_steps;
 };
