@@ -75,9 +75,10 @@ TEST_CASE("verify says what it cannot judge, and takes no option of other maps")
 TEST_CASE("render draws every kind of solid and refuses what does not fit it") {
     write_ring("ring.pgm");
     require_run("shape ring.pgm --quiet -o s.png");
+    require_run("bump " + height_map("gz_dem_squared_129.tif") + " --quiet -o bump.exr");
     const std::string render = "render s.png -o p.png --size 40x30 ";
     for (const std::string options : {"", "--e 0.05", "--b 0.1", "--b 0.1 --c 0.5", "--on box --view 120", "--solid revolution --projection spherical --axis 0.2 --shadow hard",
-                                      "--solid revolution --texture s.png --texture-tiles 3,2", "--scheme published --steps 30 --binary-steps 4"})
+                                      "--solid revolution --texture s.png --texture-tiles 3,2", "--bump bump.exr --bump-scale 0.2", "--scheme published --steps 30 --binary-steps 4"})
         require_run(render + options);
     for (const std::string options : {"--e -1", "--e x", "--c 0.5", "--b 0.1 --c -1", "--axis 0.2", "--solid revolution --axis 1", "--solid revolution --on plane",
                                       "--solid revolution --depth-scale 1", "--projection spherical", "--bump-scale 2", "--texture-tiles 2", "--view 95", "--tiles 2", "--on box --span 1",
