@@ -145,7 +145,7 @@ TEST_CASE("horizons of other heights, kinds, wraps and no horizons at all are re
     ReliefMap relief;
     relief.info.bits = depth.bits, relief.grid = depth.grid, relief.depth = depth.level;
     for (float& d : relief.depth) d /= 255;
-    relief.info.source_hash = "a";
+    relief.info.source_hash = std::string("a");
     ReliefRenderer renderer = ReliefRenderer::create(RendererBackend::osmesa).value();
     REQUIRE(renderer.load(relief));
     RenderOptions options;
@@ -154,9 +154,9 @@ TEST_CASE("horizons of other heights, kinds, wraps and no horizons at all are re
     BumpMapInfo info;
     info.kind = BumpKind::horizon;
     BumpMap map = baked(depth, info);
-    map.info.source_hash = "b";
+    map.info.source_hash = std::string("b");
     CHECK_FALSE(renderer.load_horizons(map));
-    map.info.source_hash = "a";
+    map.info.source_hash = std::string("a");
     map.grid.wrap_x = Wrap::clamp;
     CHECK_FALSE(renderer.load_horizons(map));
     map.grid = depth.grid;
