@@ -66,6 +66,11 @@ Result<void> Offscreen::open(RendererBackend backend) {
     return {};
 }
 
+Result<void> Offscreen::check_size(int width, int height, int supersample) const {
+    if (width >= 1 && height >= 1 && std::max(width * supersample, height * supersample) <= largest_) return {};
+    return fail(ErrorCode::usage, std::string("the picture, supersampled, must have 1 to ") + std::to_string(largest_) + " pixels a side");
+}
+
 Result<void> Offscreen::prepare(int width, int height, int planes) {
     if (target_ && target_->width == width && target_->height == height && int(target_->planes.size()) == planes) return {};
     target_.emplace();
@@ -95,6 +100,13 @@ void Offscreen::bind(int unit, const GlTexture& texture) const {
     gl_.BindTexture(GL_TEXTURE_2D, texture.name());
 }
 
+GlTexture Offscreen::bind_given(int unit, const Image<Quad>* hits) const {
+    gl_.ActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    if (!hits) return {};
+    const Image<Quad> rows = flipped(*hits);
+    return make_texture(gl_, {GL_RGBA32F, GL_RGBA, GL_FLOAT}, rows.width(), rows.height(), rows.data());
+}
+
 void Offscreen::begin(GLuint program) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target_->framebuffer.name());
     gl_.Viewport(0, 0, target_->width, target_->height);
@@ -121,6 +133,11 @@ Image<float> Offscreen::read_depth() const {
     Image<float> plane(target_->width, target_->height);
     gl_.ReadPixels(0, 0, target_->width, target_->height, GL_DEPTH_COMPONENT, GL_FLOAT, plane.data());
     return flipped(plane);
+}
+
+Result<void> Offscreen::check_errors() const {
+    if (gl_.GetError() == GL_NO_ERROR) return {};
+    return fail(ErrorCode::internal, std::string("the OpenGL driver reports an error"));
 }
 
 } // namespace reliefbake

@@ -49,9 +49,13 @@ class Offscreen {
     int width() const { return target_->width; }
     int height() const { return target_->height; }
 
+    /// Refuses (usage) pictures that the driver cannot hold, drawn `supersample` times as large.
+    Result<void> check_size(int width, int height, int supersample) const;
     /// A framebuffer of `planes` RGBA float planes and a depth plane. Errors (usage): the driver has none of that size.
     Result<void> prepare(int width, int height, int planes);
     void bind(int unit, const GlTexture& texture) const;
+    /// Hits that are given instead of searched, as a texture of that unit, which lives as long as the result; null: none.
+    [[nodiscard]] GlTexture bind_given(int unit, const Image<Quad>* hits) const;
     /// Makes the cleared framebuffer and the program current, for uniforms to be set.
     void begin(GLuint program) const;
     /// One triangle over the picture, to its end.
@@ -59,6 +63,8 @@ class Offscreen {
 
     Image<Quad> read_plane(int index) const;
     Image<float> read_depth() const;
+    /// Errors (internal): what has been drawn and read since the last call failed in the driver.
+    Result<void> check_errors() const;
 
   private:
     struct Target {

@@ -228,10 +228,7 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     const Offscreen& screen = state.screen;
     const int width = options.width * options.supersample;
     const int height = options.height * options.supersample;
-    if (options.width < 1 || options.height < 1 || std::max(width, height) > screen.largest()) {
-        return fail(ErrorCode::usage, std::string("the picture, supersampled, must have 1 to ") + std::to_string(screen.largest()) +
-                                          " pixels a side");
-    }
+    if (Result<void> fits = screen.check_size(options.width, options.height, options.supersample); !fits) return tl::unexpected<Error>(fits.error());
     ShaderConfig config = state.decoder;
     config.technique = options.technique;
     config.exact_finish = options.exact_finish;
@@ -252,12 +249,7 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     screen.bind(max_mip_unit, state.max_mip);
     screen.bind(horizon_unit, state.horizons[0]);
     screen.bind(horizon_unit + 1, state.horizons[1]);
-    GlTexture given;
-    screen.gl().ActiveTexture(GL_TEXTURE0 + given_unit);
-    if (options.given) {
-        const Image<Quad> rows = flipped(*options.given);
-        given = make_texture(screen.gl(), {GL_RGBA32F, GL_RGBA, GL_FLOAT}, rows.width(), rows.height(), rows.data());
-    }
+    const GlTexture given = screen.bind_given(given_unit, options.given);
     screen.bind(map_unit, state.map);
 
     // Draw.
@@ -275,7 +267,7 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     rendering.ray = screen.read_plane(3);
     rendering.light = screen.read_plane(4);
     rendering.depth = screen.read_depth();
-    if (screen.gl().GetError() != GL_NO_ERROR) return fail(ErrorCode::internal, "the OpenGL driver reports an error");
+    if (Result<void> drawn = screen.check_errors(); !drawn) return tl::unexpected<Error>(drawn.error());
     return rendering;
 }
 

@@ -177,8 +177,7 @@ Result<ShapeRendering> ShapeRenderer::render(const ShapeRenderOptions& options) 
     State& state = *state_;
     Offscreen& screen = state.screen;
     const int width = options.width * options.supersample, height = options.height * options.supersample;
-    if (options.width < 1 || options.height < 1 || std::max(width, height) > screen.largest())
-        return fail(ErrorCode::usage, "the picture, supersampled, must have 1 to " + std::to_string(screen.largest()) + " pixels a side");
+    if (Result<void> fits = screen.check_size(options.width, options.height, options.supersample); !fits) return tl::unexpected<Error>(fits.error());
     if (Result<void> checked = check_solid(options, state.info, state.grid, state.bounded); !checked) return tl::unexpected<Error>(checked.error());
     screen.make_current();
     const Result<GLuint> program = state.program(config_of(options, state.info, state.colour.name() != 0, state.bump.name() != 0));
@@ -188,12 +187,7 @@ Result<ShapeRendering> ShapeRenderer::render(const ShapeRenderOptions& options) 
     // Bind the map, the textures on it, and the hits that were given.
     screen.bind(colour_unit, state.colour);
     screen.bind(bump_unit, state.bump);
-    GlTexture given;
-    screen.gl().ActiveTexture(GLenum(GL_TEXTURE0 + given_unit));
-    if (options.given) {
-        const Image<Quad> rows = flipped(*options.given);
-        given = make_texture(screen.gl(), {GL_RGBA32F, GL_RGBA, GL_FLOAT}, rows.width(), rows.height(), rows.data());
-    }
+    const GlTexture given = screen.bind_given(given_unit, options.given);
     screen.bind(map_unit, state.map);
 
     // Draw.
@@ -212,7 +206,7 @@ Result<ShapeRendering> ShapeRenderer::render(const ShapeRenderOptions& options) 
     rendering.normal = screen.read_plane(normal_plane);
     rendering.bumped = screen.read_plane(bumped_plane);
     rendering.depth = screen.read_depth();
-    if (screen.gl().GetError() != GL_NO_ERROR) return fail(ErrorCode::internal, std::string("the OpenGL driver reports an error"));
+    if (Result<void> drawn = screen.check_errors(); !drawn) return tl::unexpected<Error>(drawn.error());
     return rendering;
 }
 
