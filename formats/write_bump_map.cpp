@@ -1,10 +1,9 @@
 #include "formats/bump_file.h"
 
 #include "formats/atomic_file.h"
-#include "formats/encode_image.h"
+#include "formats/encode_planes.h"
 #include "formats/map_file.h"
 #include "formats/map_format.h"
-#include "formats/map_pixels.h"
 
 #include <cassert>
 
@@ -37,22 +36,9 @@ std::vector<const Image<float>*> planes_of(const BumpMap& map, const BumpImage& 
 }
 
 Result<void> write_image(const fs::path& path, MapFormat format, const BumpMap& map, const BumpImage& image, int threads) {
-    const BitDepth bits = map.info.bits, as = is_unorm(bits) ? bits : BitDepth::float32;
-    EncodeRequest request;
-    request.writer = writer_name(format);
-    request.width = map.grid.width;
-    request.height = map.grid.height;
-    request.channels = image.channels;
-    request.sample = sample_name(bits);
-    request.pixels = sample_name(as);
-    request.threads = threads;
-    request.attributes = metadata_attributes(format, to_json(map.info, map.grid), {"kind"});
-    Result<SharedMemory> file = [&]() -> Result<SharedMemory> {
-        const auto pixels = SharedMemory::create(pixel_bytes(request));
-        if (!pixels) return fail(ErrorCode::write_failed, path.string() + ": no memory to encode it in");
-        interleave(planes_of(map, image), as, pixels->bytes().data());
-        return encode_image(request, *pixels, path.string());
-    }();
+    const auto planes = planes_of(map, image);
+    const auto attributes = metadata_attributes(format, to_json(map.info, map.grid), {"kind"});
+    const Result<SharedMemory> file = encode_planes(path, format, {image.channels, planes, map.info.bits, attributes}, threads);
     if (!file) return tl::unexpected(file.error());
     return write_file_atomically(path, file->bytes());
 }

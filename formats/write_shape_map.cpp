@@ -1,7 +1,7 @@
 #include "formats/shape_file.h"
 
 #include "formats/atomic_file.h"
-#include "formats/encode_image.h"
+#include "formats/encode_planes.h"
 #include "formats/map_file.h"
 #include "formats/map_format.h"
 #include "formats/map_pixels.h"
@@ -28,23 +28,9 @@ std::string metadata_text(const ShapeMap& map) {
 
 /// PNG, TIFF, EXR and TGA, by OpenImageIO in the helper.
 Result<void> write_by_helper(const fs::path& path, MapFormat format, const ShapeMap& map, int threads) {
-    const BitDepth bits = map.info.bits, as = is_unorm(bits) ? bits : BitDepth::float32;
-    EncodeRequest request;
-    request.writer = writer_name(format);
-    request.width = map.grid.width;
-    request.height = map.grid.height;
-    request.channels = shape_channels(map.info);
-    request.sample = sample_name(bits);
-    request.pixels = sample_name(as);
-    request.threads = threads;
-    request.attributes =
-        metadata_attributes(format, to_json(map.info, map.grid), {"kind", "model", "method", "guarantee"});
-    Result<SharedMemory> file = [&]() -> Result<SharedMemory> {
-        const auto pixels = SharedMemory::create(pixel_bytes(request));
-        if (!pixels) return fail(ErrorCode::write_failed, path.string() + ": no memory to encode it in");
-        interleave(planes_of(map), as, pixels->bytes().data());
-        return encode_image(request, *pixels, path.string());
-    }();
+    const auto planes = planes_of(map);
+    const auto attributes = metadata_attributes(format, to_json(map.info, map.grid), {"kind", "model", "method", "guarantee"});
+    const Result<SharedMemory> file = encode_planes(path, format, {shape_channels(map.info), planes, map.info.bits, attributes}, threads);
     if (!file) return tl::unexpected(file.error());
     return write_file_atomically(path, file->bytes());
 }
