@@ -1,23 +1,15 @@
 #include "cli/bump_report.h"
 
+#include "cli/format_text.h"
 #include "cli/height_report.h"
 #include "cli/output_checks.h"
 #include "formats/bump_file.h"
-
-#include <cstdio>
 
 namespace reliefbake {
 
 using nlohmann::json;
 
 namespace {
-
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, args...);
-    return text;
-}
 
 std::string values_line(const BumpMapInfo& info) {
     switch (info.kind) {

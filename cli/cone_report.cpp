@@ -1,24 +1,17 @@
 #include "cli/cone_report.h"
 
 #include "cli/choices.h"
+#include "cli/format_text.h"
 #include "cli/height_report.h"
 #include "formats/map_json.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace reliefbake {
 
 using nlohmann::json;
 
 namespace {
-
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, args...);
-    return text;
-}
 
 json level_list(const std::vector<MipReport>& levels) {
     json list = json::array();

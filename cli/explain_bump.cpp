@@ -1,5 +1,6 @@
 #include "cli/explain_bump.h"
 
+#include "bake/wrap_words.h"
 #include "cli/bump_options.h"
 #include "formats/bump_file.h"
 
@@ -80,10 +81,9 @@ std::string kind_lines(const BumpMap& map) {
 
 std::string explain_bump_text(const BumpMap& map) {
     const BumpMapInfo& info = map.info;
-    const auto wrap = [](Wrap axis) { return std::string(axis == Wrap::repeat ? "repeat" : "clamp"); };
     std::string text = "A " + word_of(bump_kind_words, info.kind) + " map of " + std::to_string(map.grid.width) + " x " + std::to_string(map.grid.height) +
                        " texels, " + word_of(bits_words, info.bits) + " bits" + (info.version.empty() ? "" : ", by reliefbake " + info.version) + ".\n";
-    text += "Sample it with linear or nearest filtering, " + wrap(map.grid.wrap_x) + " in u, " + wrap(map.grid.wrap_y) + " in v, no sRGB decoding.\n";
+    text += "Sample it with linear or nearest filtering, " + addressing_of(map.grid) + ", no sRGB decoding.\n";
     text += kind_lines(map);
     if (holds_depth(info)) text += "  depth   " + bump_images(info)[0].channels.back() + "; 0 is the top (height 1), 1 the floor.\n";
     text += "At texel centres a decoded value is at most " + digits(info.error) + " from that of the exact surface of the stored depth.\n";

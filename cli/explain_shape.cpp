@@ -1,5 +1,6 @@
 #include "cli/explain_shape.h"
 
+#include "bake/wrap_words.h"
 #include "cli/shape_choices.h"
 #include "formats/shape_json.h"
 
@@ -28,13 +29,11 @@ const char* model_lines(ShapeModel model) {
 std::string explain_shape_text(const ShapeMap& map) {
     const ShapeMapInfo& info = map.info;
     const std::vector<std::string> channels = shape_channels(info);
-    const auto wrap = [](Wrap axis) { return std::string(axis == Wrap::repeat ? "repeat" : "clamp"); };
     const std::string b = channels[2], gradient = "vec2(" + channels[0] + ", " + channels[1] + ")";
     const bool scaled = is_unorm(info.bits);
     std::string text = "A shape map of " + std::to_string(map.grid.width) + " x " + std::to_string(map.grid.height) + " texels, " +
                        word_of(bits_words, info.bits) + " bits" + (info.version.empty() ? "" : ", by reliefbake " + info.version) + ".\n";
-    text += "Sample it with linear or nearest filtering, " + wrap(map.grid.wrap_x) + " in u, " + wrap(map.grid.wrap_y) +
-            " in v, no sRGB decoding, no mips.\n";
+    text += "Sample it with linear or nearest filtering, " + addressing_of(map.grid) + ", no sRGB decoding, no mips.\n";
     text += std::string(model_lines(info.model)) + (info.inverted ? "; it is the other side of its picture.\n" : ".\n");
     text += "  distance " + digits(info.tau) + " * " + (info.signed_distance && scaled ? "(2.0 * " + b + " - 1.0)" : b) +
             " texture widths; at most " + digits(info.max_distance) + " texels, of which codes span " + digits(info.scale_f) + ".\n" +

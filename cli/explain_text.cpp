@@ -1,5 +1,6 @@
 #include "cli/explain_text.h"
 
+#include "bake/wrap_words.h"
 #include "cli/choices.h"
 #include "cli/explain_cones.h"
 #include "formats/map_layout.h"
@@ -14,11 +15,6 @@ namespace {
 std::string digits(double number) {
     char text[32];
     return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
-
-std::string wrap_words(const TexelGrid& grid) {
-    const auto word = [](Wrap wrap) { return std::string(wrap == Wrap::repeat ? "repeat" : "clamp"); };
-    return word(grid.wrap_x) + " in u, " + word(grid.wrap_y) + " in v";
 }
 
 std::string ratio_formula(const ReliefMapInfo& info, const std::string& cone, const std::string& depth) {
@@ -106,7 +102,7 @@ std::string explain_text(const ReliefMap& map) {
                        std::to_string(map.grid.height) + " texels, " + word_of(bits_words, info.bits) +
                        " bits";
     text += info.version.empty() ? ".\n" : ", by reliefbake " + info.version + ".\n";
-    text += "Sample it with linear or nearest filtering, " + wrap_words(map.grid) + ", no sRGB decoding, " +
+    text += "Sample it with linear or nearest filtering, " + addressing_of(map.grid) + ", no sRGB decoding, " +
             mip_words(info) + ".\n";
     const bool readable = is_known_kind(info.kind) || !map.depth.empty() || !map.cone.empty();
     text += readable ? channel_lines(map) : "This version does not know the kind, nor how its channels are decoded.\n";

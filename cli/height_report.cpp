@@ -1,23 +1,14 @@
 #include "cli/height_report.h"
 
+#include "bake/wrap_words.h"
+#include "cli/format_text.h"
 #include "formats/shortest_decimal.h"
-
-#include <cstdio>
 
 namespace reliefbake {
 
 using nlohmann::json;
 
 namespace {
-
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, args...);
-    return text;
-}
-
-const char* word_of_wrap(Wrap wrap) { return wrap == Wrap::repeat ? "repeat" : "clamp"; }
 
 bool was_chosen(const HeightOptions& options) {
     return options.wrap_x == WrapChoice::automatic || options.wrap_y == WrapChoice::automatic;

@@ -1,22 +1,15 @@
 #include "cli/quadric_report.h"
 
+#include "cli/format_text.h"
 #include "cli/version.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace reliefbake {
 
 using nlohmann::json;
 
 namespace {
-
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, args...);
-    return text;
-}
 
 /// Frames of several meshes may differ: what the file has decides for each.
 std::string frame_words_of(std::span<const QuadricBake> bakes) {

@@ -1,24 +1,15 @@
 #include "cli/shape_report.h"
 
+#include "bake/wrap_words.h"
+#include "cli/format_text.h"
 #include "cli/shape_choices.h"
 #include "formats/shape_file.h"
-
-#include <cstdio>
 
 namespace reliefbake {
 
 using nlohmann::json;
 
 namespace {
-
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, args...);
-    return text;
-}
-
-const char* word_of_wrap(Wrap wrap) { return wrap == Wrap::repeat ? "repeat" : "clamp"; }
 
 /// Texels that one code of an integer format stands for.
 double texels_a_code(const ShapeMapInfo& info) {

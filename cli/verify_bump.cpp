@@ -1,19 +1,11 @@
 #include "cli/verify_bump.h"
 
+#include "cli/format_text.h"
 #include "formats/map_file.h"
-
-#include <cstdio>
 
 namespace reliefbake {
 
 namespace {
-
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-    char text[256];
-    std::snprintf(text, sizeof text, pattern, args...);
-    return text;
-}
 
 double percent(std::uint64_t part, std::uint64_t whole) { return whole > 0 ? 100 * double(part) / double(whole) : 0; }
 

@@ -1,5 +1,7 @@
 #include "formats/fact_reader.h"
 
+#include "bake/wrap_words.h"
+
 #include <cmath>
 
 namespace reliefbake {
@@ -7,8 +9,6 @@ namespace reliefbake {
 using nlohmann::json;
 
 namespace {
-
-constexpr std::array wrap_words{"repeat", "clamp"};
 
 std::optional<double> number_or_infinity(const json& value) {
     if (value.is_number()) return value.get<double>();
@@ -30,9 +30,7 @@ json bits_to_json(BitDepth bits) {
     return nullptr;
 }
 
-json wrap_to_json(const TexelGrid& grid) {
-    return {wrap_words[std::size_t(grid.wrap_x)], wrap_words[std::size_t(grid.wrap_y)]};
-}
+json wrap_to_json(const TexelGrid& grid) { return {word_of_wrap(grid.wrap_x), word_of_wrap(grid.wrap_y)}; }
 
 json numbers_to_json(const std::map<std::string, double>& numbers) {
     json object = json::object();
@@ -52,7 +50,7 @@ std::optional<std::pair<Wrap, Wrap>> FactReader::wrap(const char* key) const {
     if (!pair) return std::nullopt;
     const auto axis = [&](std::size_t i) -> std::optional<Wrap> {
         if (!pair->is_array() || pair->size() != 2 || !(*pair)[i].is_string()) return std::nullopt;
-        return word_in<Wrap>((*pair)[i].get<std::string>(), wrap_words);
+        return word_in<Wrap>((*pair)[i].get<std::string>(), words_of_wraps);
     };
     const auto x = axis(0), y = axis(1);
     if (!x || !y) return bad(key);

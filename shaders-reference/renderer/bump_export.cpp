@@ -1,5 +1,6 @@
 #include "shaders-reference/renderer/bump_export.h"
 
+#include "bake/wrap_words.h"
 #include "shaders-reference/renderer/shader_edit.h"
 
 namespace reliefbake {
@@ -7,13 +8,12 @@ namespace {
 
 std::string file_comment(const BumpMap& map) {
     const BumpMapInfo& info = map.info;
-    const auto wrap = [](Wrap axis) { return std::string(axis == Wrap::repeat ? "repeat" : "clamp"); };
     const char* const bound[] = {"bump_map = (dH/du, dH/dv, depth)", "bump_map = (normal x, y, z, depth)",
                                  "horizon_map_0 = azimuths 0 to 3, horizon_map_1 = azimuths 4 to 7"};
     std::string text = "// For a bump map of " + std::to_string(map.grid.width) + " x " + std::to_string(map.grid.height) +
                        " texels; written by reliefbake shader.\n// Bind ";
     text.append(bound[int(info.kind)]).append(".\n// Samplers: linear, no sRGB decoding, ");
-    return text + wrap(map.grid.wrap_x) + " in u, " + wrap(map.grid.wrap_y) + " in v.\n\n";
+    return text + addressing_of(map.grid) + ".\n\n";
 }
 
 int codes_number(const BumpMapInfo& info) {

@@ -1,5 +1,6 @@
 #include "shaders-reference/renderer/shader_export.h"
 
+#include "bake/wrap_words.h"
 #include "shaders-reference/renderer/relief_renderer.h"
 #include "shaders-reference/renderer/shader_edit.h"
 
@@ -11,7 +12,6 @@ namespace {
 
 std::string file_comment(const ReliefMap& map) {
     const ReliefMapInfo& info = map.info;
-    const auto wrap = [](Wrap axis) { return std::string(axis == Wrap::repeat ? "repeat" : "clamp"); };
     const std::size_t planes = map.cone_planes.size();
     std::string text = "// For a map of kind " + info.kind + ", " + std::to_string(map.grid.width) + " x " + std::to_string(map.grid.height) +
                        " texels; written by reliefbake shader.\n// Bind relief_map = (normal x, normal y, " + (planes == 0 ? "cone" : "unused") +
@@ -21,7 +21,7 @@ std::string file_comment(const ReliefMap& map) {
         text += ", relief_cones_0 = " + what + " 0 to " + std::to_string(std::min<std::size_t>(planes, 4) - 1);
         if (planes > 4) text += ", relief_cones_1 = " + what + " 4 to " + std::to_string(planes - 1);
     }
-    text += ".\n// Samplers: linear, no mips, no sRGB decoding, " + wrap(map.grid.wrap_x) + " in u, " + wrap(map.grid.wrap_y) + " in v.\n";
+    text += ".\n// Samplers: linear, no mips, no sRGB decoding, " + addressing_of(map.grid) + ".\n";
     if (info.layout == ChannelLayout::named && planes == 0) text += "// In the file: relief.nx, relief.ny, relief.cone, relief.depth.\n";
     text += info.guarantee == "C"   ? "// No step passes a point of the relief (guarantee C).\n"
             : info.guarantee == "R" ? "// The last step holds the first hit alone (guarantee R).\n"
