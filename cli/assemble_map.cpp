@@ -2,6 +2,7 @@
 
 #include "bake/stored_code.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -40,6 +41,15 @@ ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, std::vector<En
             single ? std::move(planes.front()) : Image<float>(),
             sampled_depth(std::move(depth)),
             single ? std::vector<Image<float>>() : std::move(planes)};
+}
+
+ReliefMap relief_map_for(const ReliefMap& map) {
+    ReliefMap relief{map.info, map.grid, map.normal_x, map.normal_y, map.cone_planes.front(), map.depth, {}};
+    relief.info.kind = "cone", relief.info.planes = 0, relief.info.layout = ChannelLayout::rgba;
+    if (map.info.kind != "cone-stack") // codes grow with cones; the levels of a stack above the first stand above the surface
+        for (const Image<float>& plane : map.cone_planes)
+            for (std::size_t k = 0; k < plane.size(); ++k) relief.cone[k] = std::min(relief.cone[k], plane[k]);
+    return relief;
 }
 
 } // namespace reliefbake

@@ -48,6 +48,7 @@ void AcmCommand::add_own_options(CLI::App& app) {
     add_output_options(app, options_);
     add_encoding_option(app, options_);
     add_layout_options(app, options_);
+    add_mip_options(app, options_);
 }
 
 Result<ConeCommandOptions> AcmCommand::given() const {
@@ -86,6 +87,7 @@ void ConeStackCommand::add_own_options(CLI::App& app) {
     add_output_options(app, options_);
     add_encoding_option(app, options_);
     add_layout_options(app, options_);
+    add_mip_options(app, options_);
 }
 
 Result<ConeCommandOptions> ConeStackCommand::given() const {

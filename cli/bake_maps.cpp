@@ -4,6 +4,7 @@
 #include "bake/shared_pyramids.h"
 #include "cli/assemble_map.h"
 #include "cli/bake_mips.h"
+#include "cli/bake_planes.h"
 #include "cli/cone_info.h"
 #include "cli/cone_warnings.h"
 #include "formats/map_file.h"
@@ -31,27 +32,6 @@ struct Surface {
     std::optional<NormalMap> normals;
     std::vector<std::pair<const ConePlan*, std::vector<ConeMap>>> cones; ///< those that a later plan wants again
 };
-
-std::vector<ConeMap> bake_kind(Surface& surface, const ConePlan& plan, ConeStatistics& statistics) {
-    const DepthMap& depth = surface.depth;
-    if (plan.given.adaptive) return bake_sector_cones_adaptive(depth, *plan.given.adaptive, plan.cone);
-    if (plan.given.kind == "acm") return bake_sector_cones(depth, plan.given.planes, plan.cone, &statistics, &surface.pyramids);
-    if (plan.given.kind == "cone-stack") return bake_stacked_cones(depth, plan.given.planes, plan.cone, &statistics, &surface.pyramids);
-    if (plan.given.kind == "cone-pieces") return bake_piecewise_cones(depth, plan.given.planes, plan.cone, &statistics);
-    std::vector<ConeMap> one;
-    one.push_back(bake_cones(depth, plan.cone, &statistics, &surface.pyramids));
-    return one;
-}
-
-/// The ordinary cone map that goes with cones alone: its cone at a texel is the narrowest of theirs that stand on the surface.
-ReliefMap relief_map_for(const ReliefMap& map, const EncodedConeMap& first) {
-    ReliefMap relief{map.info, map.grid, map.normal_x, map.normal_y, first.value, map.depth, {}};
-    relief.info.kind = "cone", relief.info.planes = 0, relief.info.layout = ChannelLayout::rgba;
-    if (map.info.kind != "cone-stack") // codes grow with cones; the levels of a stack above the first stand above the surface
-        for (const Image<float>& plane : map.cone_planes)
-            for (std::size_t k = 0; k < plane.size(); ++k) relief.cone[k] = std::min(relief.cone[k], plane[k]);
-    return relief;
-}
 
 /// The maps of one run, one after the other.
 class Run {
@@ -102,7 +82,7 @@ class Run {
             return last;
         }
         ConeStatistics statistics;
-        std::vector<ConeMap> cones = clock.time("cone", [&] { return bake_kind(surface, plan, statistics); });
+        std::vector<ConeMap> cones = clock.time("cone", [&] { return bake_planes(plan, surface.depth, &statistics, &surface.pyramids); });
         clock.add("cone_near", statistics.seconds_near);
         clock.add("cone_pyramid", statistics.seconds_pyramid);
         clock.add("cone_search", statistics.seconds_search);
@@ -132,14 +112,13 @@ class Run {
                        cone_warnings(given, source_.image, surface.depth, cones, encoded), {}, {}};
         cones = {};
 
-        const EncodedConeMap first = given.relief_output.empty() ? EncodedConeMap{} : encoded.front();
         DepthMap depth = is_wanted_later(index) ? surface.depth : std::move(surface.depth);
         const ReliefMap map = assemble_map(baked.info, std::move(depth), std::move(encoded), std::move(normals));
         const Result<void> written = clock.time("write", [&] { return write_map(given.output, map, batch, plan.cone.threads); });
         if (!written) return tl::unexpected(written.error());
         if (given.relief_output.empty()) return baked;
         const Result<void> beside = clock.time("write_relief", [&] {
-            return write_map(given.relief_output, relief_map_for(map, first), batch, plan.cone.threads);
+            return write_map(given.relief_output, relief_map_for(map), batch, plan.cone.threads);
         });
         if (!beside) return tl::unexpected(beside.error());
         return baked;

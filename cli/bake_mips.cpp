@@ -4,6 +4,7 @@
 #include "bake/normal_map.h"
 #include "bake/trilinear.h"
 #include "cli/assemble_map.h"
+#include "cli/bake_planes.h"
 #include "cli/cone_info.h"
 #include "cli/cone_warnings.h"
 #include "formats/map_file.h"
@@ -15,51 +16,56 @@ namespace reliefbake {
 
 namespace {
 
-std::vector<ConeMap> bake_all_cones(const std::vector<DepthMap>& depths, const ConeOptions& options, SharedPyramids* of_first,
-                                    StageClock& clock) {
+/// A level on its way from heights to channels.
+struct Level {
+    DepthMap depth;
+    std::vector<ConeMap> cones;        ///< one, or one per sector, level of a stack or piece
+    std::vector<EncodedConeMap> codes; ///< of them
+    NormalMap normals;
+};
+
+void bake_cones_of(std::vector<Level>& levels, const ConePlan& plan, SharedPyramids* of_first, StageClock& clock) {
     ConeStatistics sum;
-    std::vector<ConeMap> cones = clock.time("cone", [&] {
-        std::vector<ConeMap> baked;
-        for (const DepthMap& depth : depths) {
+    clock.time("cone", [&] {
+        for (Level& level : levels) {
             ConeStatistics one;
-            baked.push_back(bake_level_cones(depth, options, &one, baked.empty() ? of_first : nullptr));
+            level.cones = bake_planes(plan, level.depth, &one, &level == &levels.front() ? of_first : nullptr);
             sum.seconds_near += one.seconds_near;
             sum.seconds_pyramid += one.seconds_pyramid;
             sum.seconds_search += one.seconds_search;
         }
-        return baked;
+        return true;
     });
     clock.add("cone_near", sum.seconds_near);
     clock.add("cone_pyramid", sum.seconds_pyramid);
     clock.add("cone_search", sum.seconds_search);
-    return cones;
 }
 
-/// A level on its way from heights to channels.
-struct Level {
-    DepthMap depth;
-    std::vector<ConeMap> cones;        ///< one
-    std::vector<EncodedConeMap> codes; ///< of it
-    NormalMap normals;
-};
+/// A blend of two levels mixes each sector with itself, and each level of a stack, whose apex is a mean of apexes as the surface is
+/// one of surfaces: so each plane is a chain of its own.
+void narrow_planes_for_trilinear(std::vector<Level>& levels) {
+    for (std::size_t plane = 0; plane < levels.front().cones.size(); ++plane) {
+        std::vector<ConeMap> chain;
+        for (Level& level : levels) chain.push_back(std::move(level.cones[plane]));
+        narrow_for_trilinear(chain);
+        for (std::size_t n = 0; n < levels.size(); ++n) levels[n].cones[plane] = std::move(chain[n]);
+    }
+}
 
 /// Heights, cones, codes and normals of every level.
 std::vector<Level> bake_levels(const ConePlan& plan, const MipBase& base, StageClock& clock) {
-    std::vector<DepthMap> depths = clock.time("mips", [&] { return bake_depth_mips(base.depth); });
-    std::vector<ConeMap> cones = bake_all_cones(depths, plan.cone, base.pyramids, clock);
+    std::vector<Level> levels;
+    for (DepthMap& depth : clock.time("mips", [&] { return bake_depth_mips(base.depth); })) levels.push_back({std::move(depth), {}, {}, {}});
+    bake_cones_of(levels, plan, base.pyramids, clock);
     if (plan.given.trilinear)
         clock.time("trilinear", [&] {
-            narrow_for_trilinear(cones);
+            narrow_planes_for_trilinear(levels);
             return true;
         });
-    std::vector<Level> levels(depths.size());
-    for (std::size_t n = 0; n < levels.size(); ++n) {
-        levels[n].depth = std::move(depths[n]);
-        levels[n].cones.push_back(std::move(cones[n]));
-    }
     clock.time("encode", [&] {
         for (Level& level : levels)
-            level.codes.push_back(encode_cones(level.cones[0], level.depth, {plan.given.encoding, plan.bits}));
+            for (const ConeMap& cones : level.cones)
+                level.codes.push_back(encode_cones(cones, level.depth, {plan.given.encoding, plan.bits}));
         return true;
     });
     clock.time("normals", [&] {
@@ -79,6 +85,14 @@ void describe_chain(std::vector<ReliefMapInfo>& infos, const ConePlan& plan) {
 
 std::string file_of(const ConePlan& plan, int level) {
     return holds_mips(plan.given.output) ? plan.given.output : mip_path(plan.given.output, level).string();
+}
+
+Result<void> write_chain(const ConePlan& plan, const std::vector<ReliefMap>& maps, FileBatch& batch) {
+    const Result<void> written = write_map_levels(plan.given.output, maps, batch, plan.cone.threads);
+    if (!written || plan.given.relief_output.empty()) return written;
+    std::vector<ReliefMap> reliefs;
+    for (const ReliefMap& map : maps) reliefs.push_back(relief_map_for(map));
+    return write_map_levels(plan.given.relief_output, reliefs, batch, plan.cone.threads);
 }
 
 } // namespace
@@ -103,10 +117,7 @@ Result<MipRun> bake_mips(const ConePlan& plan, const BakeSource& source, const M
         Level level = std::move(levels[n]);
         maps.push_back(assemble_map(infos[n], std::move(level.depth), std::move(level.codes), std::move(level.normals)));
     }
-    const Result<void> written =
-        clock.time("write", [&] { return write_map_levels(plan.given.output, maps, batch, plan.cone.threads); });
-    if (!written) return tl::unexpected(written.error());
-    return run;
+    return clock.time("write", [&] { return write_chain(plan, maps, batch); }).map([&] { return run; });
 }
 
 } // namespace reliefbake

@@ -11,10 +11,15 @@ void add_mip_options(CLI::App& app, ConeCommandOptions& o) {
 }
 
 Result<void> validate_mips(const ConeCommandOptions& options, const ConeOptions& cone) {
+    if (options.mips && options.layout == ChannelLayout::side)
+        return fail(ErrorCode::usage, "--layout side: mip levels cannot lie side by side; choose pair or named");
     if (!options.trilinear) return {};
     if (!options.mips) return fail(ErrorCode::usage, "--trilinear: needs --mips");
     if (cone.surface != SurfaceModel::bilinear)
         return fail(ErrorCode::usage, "--trilinear: needs --surface bilinear; texel cones are not safe under any filter");
+    if (options.adaptive) return fail(ErrorCode::usage, "--trilinear: needs --method exact; approximate cones have no guarantee to keep");
+    if (options.kind == "cone-pieces")
+        return fail(ErrorCode::usage, "--trilinear: needs --method 1; a blend of two lines of pieces may be wider than either");
     if (cone.family != ConeFamily::conservative)
         return fail(ErrorCode::usage, "--trilinear: is for conservative cones; a blend may hold more crossings than either level");
     if (cone.lookup != ConeLookup::filtered)

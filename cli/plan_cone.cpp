@@ -20,8 +20,6 @@ Result<void> validate_output(const ConeCommandOptions& options) {
     if (Result<void> other = validate_not_input(options.input, options.output); !other) return other;
     for (const std::string& output : {options.output, options.relief_output})
         if (Result<void> other = validate_not_input(options.alpha.from, output); !other) return other;
-    if (!options.relief_output.empty() && fs::path(options.relief_output).lexically_normal() == fs::path(options.output).lexically_normal())
-        return fail(ErrorCode::usage, "--relief: is the output itself; choose another name");
     if (options.kind == "cone" && options.layout && extension_of(options.output) != ".exr")
         return fail(ErrorCode::usage, "--exr-layout: needs an .exr output, found '" + options.output + "'");
     return {};
@@ -57,7 +55,8 @@ ReliefMapInfo layout_facts(const ConePlan& plan) {
 ChannelLayout default_layout(const ConeCommandOptions& options) {
     if (options.kind == "cone") return ChannelLayout::rgba;
     if (extension_of(options.output) == ".exr") return ChannelLayout::named;
-    return options.planes == 8 ? ChannelLayout::side : ChannelLayout::rgba;
+    if (options.planes != 8 || options.kind != "acm") return ChannelLayout::rgba;
+    return options.mips ? ChannelLayout::pair : ChannelLayout::side; // levels side by side would meet
 }
 
 Result<void> validate_relief(const ConePlan& plan) {
@@ -79,23 +78,27 @@ std::string identity_of(const fs::path& file) {
     return name;
 }
 
-std::vector<fs::path> files_of(const ConePlan& plan) {
-    std::vector<fs::path> files = map_files(plan.given.output, layout_facts(plan), plan.given.mips);
-    if (!plan.given.relief_output.empty()) files.push_back(plan.given.relief_output);
+/// The files of each map that a plan writes: its own, and the relief beside it.
+std::vector<std::vector<fs::path>> files_of(const ConePlan& plan) {
+    std::vector<std::vector<fs::path>> files{map_files(plan.given.output, layout_facts(plan), plan.given.mips)};
+    if (!plan.given.relief_output.empty()) files.push_back(map_files(plan.given.relief_output, ReliefMapInfo(), plan.given.mips));
     return files;
 }
 
 } // namespace
 
 Result<void> validate_outputs(const std::vector<ConePlan>& plans) {
-    std::map<std::string, std::size_t> seen; // and by which plan
-    for (std::size_t k = 0; k < plans.size(); ++k)
-        for (const fs::path& file : files_of(plans[k])) {
-            for (const std::string& input : {plans[k].given.input, plans[k].given.alpha.from})
-                if (Result<void> other = validate_not_input(input, file.string()); !other) return other;
-            const auto [known, is_new] = seen.emplace(identity_of(file), k);
-            if (!is_new && known->second != k)
-                return fail(ErrorCode::usage, file.string() + ": two maps of this run would be written to it; choose another name");
+    std::map<std::string, int> seen; // and of which map
+    int number = 0;
+    for (const ConePlan& plan : plans)
+        for (const std::vector<fs::path>& of_map : files_of(plan)) {
+            ++number;
+            for (const fs::path& file : of_map) {
+                for (const std::string& input : {plan.given.input, plan.given.alpha.from})
+                    if (Result<void> other = validate_not_input(input, file.string()); !other) return other;
+                if (seen.emplace(identity_of(file), number).first->second != number)
+                    return fail(ErrorCode::usage, file.string() + ": two maps of this run would be written to it; choose another name");
+            }
         }
     return {};
 }

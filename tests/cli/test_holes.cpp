@@ -82,7 +82,7 @@ TEST_CASE("every family bakes holes that verify finds right") {
                                       "cone -o family.exr --lookup cell", "cone -o family.exr --metric l1",
                                       "cone -o family.exr --kind relaxed", "cone -o family.exr --kind hybrid --delta 0.05",
                                       "acm -o family.exr --sectors 4", "acm -o family.exr --sectors 8 --kind relaxed",
-                                      "cone-normal -o family.exr", "cone-stack -o family.exr --levels 3"}) {
+                                      "cone-normal -o family.exr", "cone-stack -o family.exr --levels 3", "cone-stack -o family.exr --levels 3 --method 2"}) {
         CAPTURE(command);
         const std::size_t space = command.find(' ');
         bake(command.substr(0, space) + source + command.substr(space));

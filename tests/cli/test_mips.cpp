@@ -13,8 +13,8 @@ namespace {
 
 std::string dem() { return height_map("gz_dem_landscape_200x125.tif"); }
 
-json bake(const std::string& arguments) {
-    const Outcome outcome = run_tool("cone " + arguments + " --json");
+json bake(const std::string& arguments, const std::string& command = "cone") {
+    const Outcome outcome = run_tool(command + " " + arguments + " --json");
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == 0);
     return json::parse(outcome.out);
@@ -80,6 +80,34 @@ TEST_CASE("Maps without square texels have safe levels too") {
         CHECK(run_tool("verify slim.exr --rays 2000 --points 2000 --crop 0 --level " + std::to_string(level)).status == 0);
 }
 
+TEST_CASE("Chains of sectors and of stacks are safe on every level") {
+    const json schema = json::parse(bytes_of(std::string(RELIEFBAKE_SCHEMA_DIR) + "/cone.schema.json"));
+    for (const std::string command : {"acm --sectors 4 --trilinear", "acm --sectors 8 --kind relaxed", "cone-stack --levels 3 --trilinear",
+                                      "cone-stack --levels 5 --method 2"}) {
+        CAPTURE(command);
+        const json result = bake(dem() + " -o planes.exr --mips", command);
+        CHECK(schema_fault(result, schema) == "");
+        REQUIRE(result["levels"].size() == 8);
+        for (const int level : {0, 1, 3, 6, 7}) { // the last ones are 3 x 1 and 1 x 1
+            CAPTURE(level);
+            const Outcome judged = run_tool("verify planes.exr --json --rays 3000 --points 800 --crop 0 --level " + std::to_string(level));
+            INFO(judged.out << judged.err);
+            CHECK(judged.status == 0);
+        }
+    }
+}
+
+TEST_CASE("Cones alone are chains in two files or more, with a chain of reliefs beside them") {
+    const json result = bake(dem() + " -o eight.png --relief ground.tif --sectors 8 --mips", "acm");
+    CHECK(result["levels"][2]["output"] == "eight_mip2.png");
+    CHECK(std::filesystem::exists(work_folder() / "eight_mip2_b.png"));
+    CHECK(run_tool("verify ground.tif --level 2 --rays 2000 --points 800 --crop 0").status == 0);
+    bake(dem() + " -o four.tif --relief floor.tif --mips", "acm");
+    CHECK(run_tool("verify four.tif --relief floor.tif --level 2 --rays 2000 --points 800 --crop 0").status == 0);
+    CHECK(run_tool("acm " + dem() + " -o four.png --relief four_mip1.png --mips").status == 2);
+    for (const std::string file : {"four.dds", "four.ktx2"}) bake(dem() + " -o " + file + " --mips --bits 8", "acm");
+}
+
 TEST_CASE("DDS and KTX2 are written at every depth, and reading them is refused with a line") {
     for (const std::string file : {"texture.dds", "texture.ktx2"})
         for (const std::string bits : {"8", "16", "half", "float"}) bake(dem() + " -o " + file + " --mips --bits " + bits);
@@ -94,6 +122,10 @@ TEST_CASE("A blend that keeps no guarantee is refused") {
         CAPTURE(arguments);
         CHECK(outcome.status == 2);
         CHECK(outcome.err.find("--trilinear") != std::string::npos);
+    }
+    for (const std::string command : {"acm --method adaptive --trilinear", "cone-stack --method 2 --trilinear", "acm --sectors 8 --layout side"}) {
+        CAPTURE(command);
+        CHECK(run_tool(command + " " + dem() + " -o refused.exr --mips").status == 2);
     }
     CHECK_FALSE(std::filesystem::exists(work_folder() / "refused.exr"));
     bake(dem() + " -o single.png");
