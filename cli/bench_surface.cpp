@@ -1,0 +1,44 @@
+#include "cli/bench_surface.h"
+
+#include "cli/choices.h"
+#include "formats/mesh_file.h"
+#include "mesh/quadric_bake.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace reliefbake {
+
+namespace {
+
+const Words<RevolvedSurface>& revolved_words() {
+    static const Words<RevolvedSurface> words = [] {
+        Words<RevolvedSurface> all;
+        for (const RevolvedSurface& surface : revolved_surfaces()) all.emplace_back(surface.name, surface);
+        return all;
+    }();
+    return words;
+}
+
+} // namespace
+
+void BenchSurfaceCommand::add_to(CLI::App& app) {
+    add_choice(app, "NAME", surface_, revolved_words(), "Which surface of revolution")->required();
+    app.add_option("--segments", segments_, "Edges around its axis (default 64)")->check(CLI::Range(3, 4096));
+    app.add_option("-o,--output", output_, "Mesh to write, with quadrics: .glb, .gltf or .ply")->required()->type_name("OUT");
+    app.add_flag("--json", json_, "Print one object");
+}
+
+Result<void> BenchSurfaceCommand::run() {
+    if (Result<void> fits = check_mesh_output(output_, {}); !fits) return fits;
+    const Result<QuadricBake> bake = bake_quadrics(make_revolved(surface_, segments_), {}, surface_.name);
+    if (!bake) return tl::unexpected(bake.error());
+    const nlohmann::json report{{"surface", surface_.name}, {"segments", segments_}, {"radius", surface_.radius}, {"triangles", bake->mesh.triangles.size()}};
+    if (Result<void> written = write_mesh(output_, {MeshFormat::ply, {}, {}, {}}, {bake->mesh}, {bake->source}, {}, report); !written) return written;
+    if (json_) std::printf("%s\n", report.dump(2).c_str());
+    else std::printf("%s: %s, %zu triangles, radius %g\n", output_.c_str(), surface_.name.c_str(), bake->mesh.triangles.size(), surface_.radius);
+    return {};
+}
+
+} // namespace reliefbake

@@ -1,0 +1,23 @@
+#pragma once
+// reliefbake bench surface NAME -o MESH
+
+#include "cli/bench/revolved.h"
+#include "cli/command.h"
+
+#include <string>
+
+namespace reliefbake {
+
+class BenchSurfaceCommand : public Command {
+  public:
+    void add_to(CLI::App& app) override;
+    Result<void> run() override;
+
+  private:
+    RevolvedSurface surface_;
+    int segments_ = 64;
+    std::string output_;
+    bool json_ = false;
+};
+
+} // namespace reliefbake
