@@ -8,15 +8,18 @@ namespace reliefbake {
 
 #define RELIEFBAKE_GL_FUNCTIONS(X)                                                                                       \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                                               \
+    X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                                   \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                         \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                                             \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                                 \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                         \
+    X(PFNGLBUFFERDATAPROC, BufferData)                                                                                   \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                           \
     X(PFNGLCLEARPROC, Clear)                                                                                             \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                             \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                             \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                                               \
+    X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                                             \
     X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                                                   \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                                             \
     X(PFNGLDELETESHADERPROC, DeleteShader)                                                                               \
@@ -26,8 +29,10 @@ namespace reliefbake {
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                   \
     X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                                                                 \
     X(PFNGLENABLEPROC, Enable)                                                                                           \
+    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                         \
     X(PFNGLFINISHPROC, Finish)                                                                                           \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                               \
+    X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                                   \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                                         \
     X(PFNGLGENTEXTURESPROC, GenTextures)                                                                                 \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                         \
@@ -52,6 +57,7 @@ namespace reliefbake {
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                                                     \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                                                                                     \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                   \
+    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                                                 \
     X(PFNGLVIEWPORTPROC, Viewport)
 
 struct GlFunctions {

@@ -32,12 +32,14 @@ class GlObject {
 };
 
 inline void delete_texture(const GlFunctions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
+inline void delete_buffer(const GlFunctions& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
 inline void delete_framebuffer(const GlFunctions& gl, GLuint name) { gl.DeleteFramebuffers(1, &name); }
 inline void delete_vertex_array(const GlFunctions& gl, GLuint name) { gl.DeleteVertexArrays(1, &name); }
 inline void delete_shader(const GlFunctions& gl, GLuint name) { gl.DeleteShader(name); }
 inline void delete_program(const GlFunctions& gl, GLuint name) { gl.DeleteProgram(name); }
 
 using GlTexture = GlObject<delete_texture>;
+using GlBuffer = GlObject<delete_buffer>;
 using GlFramebuffer = GlObject<delete_framebuffer>;
 using GlVertexArray = GlObject<delete_vertex_array>;
 using GlShader = GlObject<delete_shader>;
