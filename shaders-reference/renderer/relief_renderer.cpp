@@ -1,5 +1,6 @@
 #include "shaders-reference/renderer/relief_renderer.h"
 
+#include "shaders-reference/renderer/map_textures.h"
 #include "shaders-reference/renderer/max_mip.h"
 #include "shaders-reference/renderer/offscreen.h"
 #include "shaders-reference/renderer/resolve.h"
@@ -24,30 +25,6 @@ struct CompiledProgram {
     ShaderConfig config;
     GlProgram program;
 };
-
-TexelStorage storage_of(BitDepth bits, SamplerFilter filter) {
-    if (filter == SamplerFilter::fixed8) return TexelStorage::unorm8;
-    return is_unorm(bits) ? TexelStorage::unorm16 : TexelStorage::float32;
-}
-
-const Image<float>* channel_or_null(const Image<float>& channel) { return channel.empty() ? nullptr : &channel; }
-
-/// (normal x, normal y, cone or nothing, depth). A map without normals is shaded as a flat one: its texture needs zeros
-/// that mean "flat", which unorm channels store as 0.5.
-GlTexture upload_map(const GlFunctions& gl, const ReliefMap& map, SamplerFilter filter) {
-    const bool no_normals = map.normal_x.empty() || map.normal_y.empty();
-    const Image<float> flat(no_normals ? map.grid.width : 1, no_normals ? map.grid.height : 1, is_unorm(map.info.bits) ? 0.5f : 0.0f);
-    return upload_texture(gl, {no_normals ? &flat : &map.normal_x, no_normals ? &flat : &map.normal_y, channel_or_null(map.cone), &map.depth},
-                  map.grid, storage_of(map.info.bits, filter));
-}
-
-/// Planes 4 `group` to 4 `group` + 3.
-GlTexture upload_group(const GlFunctions& gl, const std::vector<Image<float>>& images, std::size_t group, const TexelGrid& grid,
-                       TexelStorage storage) {
-    Channels channels{};
-    for (std::size_t k = 4 * group; k < std::min(4 * group + 4, images.size()); ++k) channels[k % 4] = &images[k];
-    return upload_texture(gl, channels, grid, storage);
-}
 
 GlTexture upload_max_mip(const GlFunctions& gl, const MaxMip& mip) {
     const Image<float>& cells = mip.levels.front();
@@ -94,8 +71,7 @@ std::string horizon_misfit(const BumpMap& horizons, const ReliefMapInfo& info, c
 struct ReliefRenderer::State {
     Offscreen screen; ///< outlives what is made with it
     std::vector<CompiledProgram> programs;
-    GlTexture map;
-    GlTexture cones[2];       ///< planes of maps with several cones a texel
+    MapTextures textures;
     GlTexture horizons[2];
     double horizon_scale = 0; ///< depth of the relief that they were baked for; 0: none loaded
     GlTexture max_mip;        ///< made when a technique first asks for it
@@ -140,10 +116,8 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     const float low = repeats && options.endless ? -endless_reach : 0;
     const float high = repeats && options.endless ? endless_reach : float(tiles);
     const Uniforms uniforms(screen.gl(), program);
-    uniforms.set("relief_map", map_unit);
+    set_map_uniforms(uniforms, {map_unit, cones_unit}, info, grid, delta);
     uniforms.set("given_hits", given_unit);
-    uniforms.set("relief_cones_0", cones_unit);
-    uniforms.set("relief_cones_1", cones_unit + 1);
     uniforms.set("relief_max_mip", max_mip_unit);
     uniforms.set("relief_mip_cells", max_mip_size.cells_x, max_mip_size.cells_y);
     uniforms.set("relief_mip_top", max_mip_top);
@@ -151,16 +125,10 @@ void ReliefRenderer::State::set_uniforms(GLuint program, const RenderOptions& op
     uniforms.set("horizon_map_1", horizon_unit + 1);
     uniforms.set("horizon_diagonal", float(horizon_angle(grid, 1)));
     uniforms.set("horizon_deepen", horizon_scale > 0 ? float(info.depth_scale / horizon_scale) : 1.0f);
-    uniforms.set("relief_cone_max", std::min(info.cone_max, widest_ratio));
-    uniforms.set("relief_aspect", float(grid.aspect()));
-    uniforms.set("relief_delta", float(delta));
-    uniforms.set("relief_code_delta", delta > 0 ? filtered_code_error : 0.0f);
-    uniforms.set("relief_repeat", grid.wrap_x == Wrap::repeat, grid.wrap_y == Wrap::repeat);
     uniforms.set("relief_max_steps", options.max_steps);
     uniforms.set("relief_epsilon", options.epsilon);
     uniforms.set("relief_linear_steps", options.linear_steps);
     uniforms.set("relief_binary_steps", options.binary_steps);
-    uniforms.set("relief_depth_scale", float(info.depth_scale));
     uniforms.set("scene_sun", sun_direction(options.sun, options.view));
     uniforms.set("scene_shadow_steps", options.shadow_steps);
     uniforms.set("camera_eye", camera.eye);
@@ -184,23 +152,10 @@ Result<ReliefRenderer> ReliefRenderer::create(RendererBackend backend) {
 }
 
 Result<void> ReliefRenderer::load(const ReliefMap& map, SamplerFilter filter) {
-    if (map.depth.empty()) return fail(ErrorCode::usage, "the map has no depth channel: nothing can be drawn without one");
-    if (std::max(map.grid.width, map.grid.height) > state_->screen.largest()) {
-        return fail(ErrorCode::usage, std::string("the map is larger than the OpenGL driver's textures (") +
-                                          std::to_string(state_->screen.largest()) + " texels a side)");
-    }
-    if (filter == SamplerFilter::fixed8 && map.info.bits != BitDepth::unorm8) {
-        return fail(ErrorCode::usage, "--filter fixed8 tests 8-bit maps only; this map is not 8-bit");
-    }
-    if (map.depth.empty()) return fail(ErrorCode::usage, std::string("the map has no depth channel"));
-    if (map.cone_planes.size() > 8)
-        return fail(ErrorCode::usage, "the renderer takes up to 8 sectors or levels; this map has " + std::to_string(map.cone_planes.size()));
     state_->screen.make_current();
-    state_->map = upload_map(state_->screen.gl(), map, filter);
-    for (std::size_t group = 0; group < 2; ++group)
-        state_->cones[group] = map.cone_planes.size() > 4 * group
-                                   ? upload_group(state_->screen.gl(), map.cone_planes, group, map.grid, storage_of(map.info.bits, filter))
-                                   : GlTexture();
+    Result<MapTextures> textures = upload_map(state_->screen, map, filter);
+    if (!textures) return tl::unexpected<Error>(textures.error());
+    state_->textures = std::move(*textures);
     state_->max_mip = GlTexture();
     state_->horizon_scale = 0;
     state_->depth = map.depth;
@@ -244,13 +199,13 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
 
     // Bind the map, its cones, the pyramid, and the hits that were given.
     if (options.technique == Technique::max_mip) state.prepare_max_mip();
-    screen.bind(cones_unit, state.cones[0]);
-    screen.bind(cones_unit + 1, state.cones[1]);
+    screen.bind(cones_unit, state.textures.cones[0]);
+    screen.bind(cones_unit + 1, state.textures.cones[1]);
     screen.bind(max_mip_unit, state.max_mip);
     screen.bind(horizon_unit, state.horizons[0]);
     screen.bind(horizon_unit + 1, state.horizons[1]);
     const GlTexture given = screen.bind_given(given_unit, options.given);
-    screen.bind(map_unit, state.map);
+    screen.bind(map_unit, state.textures.map);
 
     // Draw.
     const auto start = std::chrono::steady_clock::now();

@@ -5,6 +5,7 @@
 #include "bake/error.h"
 #include "bake/relief_map.h"
 #include "shaders-reference/renderer/gl_context.h"
+#include "shaders-reference/renderer/sampler_filter.h"
 #include "shaders-reference/renderer/rendering.h"
 #include "shaders-reference/renderer/scene.h"
 #include "shaders-reference/renderer/shader_source.h"
@@ -13,13 +14,6 @@
 #include <optional>
 
 namespace reliefbake {
-
-/// How the map lies in the texture. Mesa's rasteriser filters 8-bit textures with 8-bit weights, as much hardware
-/// does; wider ones exactly, to float32.
-enum class SamplerFilter {
-    exact,  ///< 16-bit unorm, or float32 (--filter float)
-    fixed8, ///< 8-bit texture: height errs by up to the map's filter_delta (--filter fixed8)
-};
 
 struct RenderOptions {
     Technique technique = Technique::cone; ///< (--technique)

@@ -2,6 +2,7 @@
 
 #include "shaders-reference/renderer/offscreen.h"
 #include "shaders-reference/renderer/resolve.h"
+#include "shaders-reference/renderer/shape_texture.h"
 
 #include <algorithm>
 #include <chrono>
@@ -101,23 +102,15 @@ void ShapeRenderer::State::set_uniforms(GLuint program, const ShapeRenderOptions
     const Camera camera = solid.on_plane ? make_camera(grid, options.view, solid.tiles, picture_aspect)
                                          : box_camera(solid, grid.aspect(), options.view, picture_aspect);
     const Uniforms uniforms(screen.gl(), program);
-    uniforms.set("shape_map", map_unit);
+    set_shape_uniforms(uniforms, map_unit, info, grid, delta);
+    set_profile_uniforms(uniforms, solid, {options.steps, options.binary_steps}, options.epsilon / grid.width);
     uniforms.set("given_hits", given_unit);
     uniforms.set("solid_colour", colour_unit);
     uniforms.set("solid_bump", bump_unit);
-    uniforms.set("shape_tau", float(info.tau));
-    uniforms.set("shape_aspect", float(grid.aspect()));
-    uniforms.set("shape_delta", float(delta));
-    uniforms.set("solid_outward", float(solid.outward));
-    uniforms.set("solid_bevel", float(solid.bevel));
-    uniforms.set("solid_chamfer", float(std::min(solid.chamfer, 1e30)));
     uniforms.set("solid_axis", float(solid.axis));
     uniforms.set("solid_depth", float(solid.depth_scale));
     uniforms.set("solid_tiles", float(solid.tiles));
     uniforms.set("solid_repeat", float(grid.wrap_x == Wrap::repeat), float(grid.wrap_y == Wrap::repeat));
-    uniforms.set("solid_steps", options.steps);
-    uniforms.set("solid_binary_steps", options.binary_steps);
-    uniforms.set("solid_epsilon", float(options.epsilon / grid.width));
     uniforms.set("solid_bump_scale", float(options.bump_scale));
     uniforms.set("solid_texture_tiles", float(options.texture_tiles_u), float(options.texture_tiles_v));
     uniforms.set("scene_sun", sun_direction(options.sun, options.view));
@@ -142,13 +135,10 @@ Result<ShapeRenderer> ShapeRenderer::create(RendererBackend backend) {
 }
 
 Result<void> ShapeRenderer::load(const ShapeMap& map, SamplerFilter filter) {
-    if (std::max(map.grid.width, map.grid.height) > state_->screen.largest())
-        return fail(ErrorCode::usage, "the map is larger than the OpenGL driver's textures (" + std::to_string(state_->screen.largest()) + " texels a side)");
-    if (filter == SamplerFilter::fixed8 && map.info.bits != BitDepth::unorm8)
-        return fail(ErrorCode::usage, std::string("--filter fixed8 tests 8-bit maps only; this map is not 8-bit"));
     state_->screen.make_current();
-    const TexelStorage storage = filter == SamplerFilter::fixed8 ? TexelStorage::unorm8 : is_unorm(map.info.bits) ? TexelStorage::unorm16 : TexelStorage::float32;
-    state_->map = upload_texture(state_->screen.gl(), {&map.gradient_x, &map.gradient_y, &map.distance, &map.shape}, map.grid, storage);
+    Result<GlTexture> texture = upload_shape(state_->screen, map, filter);
+    if (!texture) return tl::unexpected<Error>(texture.error());
+    state_->map = std::move(*texture);
     state_->info = map.info;
     state_->grid = map.grid;
     state_->bounded = map.info.scale_f < 1 || std::none_of(map.shape.begin(), map.shape.end(), [](float outside) { return outside < 0.5f; });

@@ -6,6 +6,7 @@
 #include "shaders-reference/renderer/gl_context.h"
 #include "shaders-reference/renderer/relief_renderer.h"
 #include "shaders-reference/renderer/shape_source.h"
+#include "shaders-reference/renderer/shape_texture.h"
 
 #include <memory>
 
@@ -57,10 +58,7 @@ struct ShapeRendering {
     RayStatus status(std::size_t pixel) const { return RayStatus(int(counts[pixel][2])); }
 };
 
-/// The counts that 003 and 004 use: circles, then halvings.
-struct CircleCounts {
-    int steps, binary_steps;
-};
+/// The counts that 003 and 004 use.
 constexpr CircleCounts published_counts(SolidKind kind) { return kind == SolidKind::extrusion ? CircleCounts{25, 5} : CircleCounts{20, 10}; }
 
 class ShapeRenderer {

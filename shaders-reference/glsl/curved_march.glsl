@@ -1,0 +1,106 @@
+// Cone tracing over a curved polygon (000 Algorithm 7), conservative and relaxed, then halving of the last step. Needs relief_map.glsl,
+// relief_cones.glsl and curved_path.glsl.
+//
+//   CURVED_CONE 0  the ray is rectified (Algorithms 3, 4): a cone is met where the bent way, straight on from here, leaves it
+//               1  the cone is (5, 6): its apex sinks with the surface, D' = D - (a Vx^2 + b Vy^2) t^2, below a ray that stays straight
+//
+// Over a surface that bulges the way bends out of the relief, so both steps end before the cone does; the second is the shorter.
+// Where it is hollow the way bends in by `bend` s^2; with s + bend s^2 / sinks in place of s no step leaves its cone:
+//
+//     s' = 2 s / (1 + sqrt(1 + 4 s bend / sinks))
+
+uniform int relief_max_steps;
+uniform int relief_binary_steps;
+uniform float relief_epsilon; // a ray this close above the relief has hit it
+
+float curved_gap(CurvedRay ray, float t) {
+    CurvedPlace place = curved_place(ray, t);
+    return relief_depth(textureLod(relief_map, place.uv, 0.0)) - place.depth;
+}
+
+CurvedHit curved_halve(CurvedRay ray, float above, CurvedHit hit) {
+    float under = hit.t;
+    for (int i = 0; i < relief_binary_steps; ++i) {
+        hit.t = 0.5 * (above + under);
+        hit.gap = curved_gap(ray, hit.t);
+        hit.steps += 1;
+        hit.fetches += 1;
+        if (hit.gap <= 0.0) under = hit.t;
+        else above = hit.t;
+    }
+    return hit;
+}
+
+CurvedHit curved_march(CurvedRay ray) {
+    float bend = max(curved_bend(ray), 0.0);
+    float texels = length(ray.chart * ray.sight.xy * vec2(textureSize(relief_map, 0)));
+    float least = 0.125 / max(texels, 1e-3); // where a cone says nothing: an eighth of a texel
+    float above = 0.0;
+    CurvedHit hit = curved_start();
+    for (int i = 0; i < relief_max_steps; ++i) {
+        CurvedPlace place = curved_place(ray, hit.t);
+        if (place.depth < 0.0 && i > 0) {
+            hit.status = CURVED_LEFT;
+            return hit;
+        }
+        ReliefCourse course = relief_course(place.along, 1.0);
+#if CURVED_CONE
+        course.falls = -ray.sight.z;
+#else
+        course.falls = place.sinks;
+#endif
+        ReliefLook look = relief_look(place.uv, place.depth, course);
+        hit.steps += 1;
+        hit.fetches += look.fetches;
+        hit.gap = look.gap;
+        if (look.gap - relief_delta <= relief_epsilon) {
+            hit.status = CURVED_HIT;
+            break;
+        }
+        if (look.advance > 1e20) { // climbs out of a cone without end
+            hit.status = CURVED_LEFT;
+            return hit;
+        }
+        float step = look.advance;
+        if (bend > 0.0) step = 2.0 * step / (1.0 + sqrt(1.0 + 4.0 * step * bend / max(place.sinks, 1e-6)));
+        above = hit.t;
+        hit.t += max(step, least);
+    }
+    if (hit.status == CURVED_OUT_OF_STEPS) { // the last step may have ended in the relief, or outside
+        CurvedPlace place = curved_place(ray, hit.t);
+        hit.gap = relief_depth(textureLod(relief_map, place.uv, 0.0)) - place.depth;
+        hit.fetches += 1;
+        if (place.depth < 0.0) hit.status = CURVED_LEFT;
+        if (hit.gap <= 0.0) hit.status = CURVED_HIT;
+    }
+    if (hit.status == CURVED_HIT && hit.gap < 0.0 && hit.t > 0.0) return curved_halve(ray, above, hit);
+    return hit;
+}
+
+uniform int relief_linear_steps;
+
+// Relief mapping over a curved polygon (Oliveira and Policarpo 2005): even steps up to where the ray leaves or is at the floor, then halving.
+CurvedHit curved_search(CurvedRay ray) {
+    float end = curved_end(ray);
+    float above = 0.0;
+    CurvedHit hit = curved_start();
+    if (end >= 1e30) {
+        hit.status = CURVED_LEFT;
+        return hit;
+    }
+    for (int i = 0; i <= relief_linear_steps; ++i) {
+        hit.t = end * (float(i) / float(relief_linear_steps));
+        hit.gap = curved_gap(ray, hit.t);
+        hit.steps += 1;
+        hit.fetches += 1;
+        if (hit.gap <= 0.0) {
+            hit.status = CURVED_HIT;
+            break;
+        }
+        above = hit.t;
+    }
+    // At the floor rounding may leave a last gap.
+    if (hit.status != CURVED_HIT) hit.status = curved_place(ray, end).depth > 0.5 ? CURVED_HIT : CURVED_LEFT;
+    if (hit.status == CURVED_HIT && hit.t > 0.0) return curved_halve(ray, above, hit);
+    return hit;
+}

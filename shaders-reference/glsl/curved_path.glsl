@@ -1,0 +1,139 @@
+// Where a ray over a curved polygon stands in its map (000 and 004; MATHS section 7). The surface is taken for the quadric
+// z = a x^2 + b y^2 + c x y in the fragment's tangent frame: x along the tangent, y along the bitangent, z outwards.
+// Lengths are in depths of the relief, so that the floor is at depth 1 and no unit of the mesh appears.
+//
+//   CURVED_PATH  0  straight: the polygon is flat
+//                1  the vertical distance to the quadric: depth(t) = -Vz t + (a Vx^2 + b Vy^2 + c Vx Vy) t^2 (000 formula 12)
+//                2  the distance to a torus with the quadric's two curvatures: exact over spheres, cylinders and the equators of tori
+
+struct CurvedRay {
+    vec2 origin;   // uv where it enters, depth 0
+    vec3 sight;    // unit, in the tangent frame; z < 0 goes in
+    vec3 quadric;  // a, b, c
+    mat2 chart;    // uv per (x, y)
+};
+
+struct CurvedPlace {
+    vec2 uv;
+    float depth;
+    vec2 along;  // change of uv,
+    float sinks; // and of depth, per length
+    vec3 up;     // the surface's normal here, in the tangent frame
+};
+
+const int CURVED_HIT = 1;
+const int CURVED_OUT_OF_STEPS = 2;
+const int CURVED_LEFT = 3; // came out of the relief: beyond the silhouette
+
+struct CurvedHit {
+    float t;     // way gone
+    float gap;   // to the relief
+    int steps;   // rounds of the loop
+    int fetches; // texture reads
+    int status;
+};
+
+CurvedHit curved_start() {
+    CurvedHit hit;
+    hit.t = 0.0;
+    hit.gap = 0.0;
+    hit.steps = 0;
+    hit.fetches = 0;
+    hit.status = CURVED_OUT_OF_STEPS;
+    return hit;
+}
+
+// Half of how fast the way turns into the relief; < 0: out of it, over a surface that bulges.
+float curved_bend(CurvedRay ray) {
+#if CURVED_PATH == 0
+    return 0.0;
+#else
+    vec2 v = ray.sight.xy;
+    return ray.quadric.x * v.x * v.x + ray.quadric.y * v.y * v.y + ray.quadric.z * v.x * v.y;
+#endif
+}
+
+// First t > 0 at depth 0 or 1, 1e30 for none (the corrected tMax of 000). The floor: bend t^2 - Vz t - 1 = 0, without cancellation.
+float curved_end(CurvedRay ray) {
+    float bend = curved_bend(ray);
+    float into = -ray.sight.z;
+    float end = 1e30;
+    if (into * bend < 0.0) end = -into / bend;
+    float discriminant = into * into + 4.0 * bend;
+    if (discriminant >= 0.0) {
+        float sum = into + (into < 0.0 ? -1.0 : 1.0) * sqrt(discriminant);
+        float first = abs(sum) > 1e-15 ? 2.0 / sum : 1e30;
+        float second = bend != 0.0 ? -0.5 * sum / bend : 1e30;
+        if (first > 0.0) end = min(end, first);
+        if (second > 0.0) end = min(end, second);
+    }
+    return end;
+}
+
+#if CURVED_PATH == 2
+// From flat to the circle of curvature k (> 0 bulges) that touches it: x becomes the arc, z the height above the circle, and the
+// velocity is seen from there. (s, c): the sine and cosine of the turn.
+void curved_turn(float k, inout float x, inout float z, inout float x_speed, inout float z_speed, out float s, out float c) {
+    float off = k * x;
+    float base = 1.0 + k * z;
+    float size = max(length(vec2(off, base)), 1e-6);
+    s = off / size;
+    c = base / size;
+    z = (2.0 * z + k * (x * x + z * z)) / (1.0 + size);
+    x = abs(off) > 1e-4 ? atan(off, base) / k : x / max(base, 1e-6);
+    float along = x_speed * c - z_speed * s;
+    z_speed = x_speed * s + z_speed * c;
+    x_speed = along / size;
+}
+
+// First the wider circle, then the tighter one, whose height is that above both.
+CurvedPlace curved_place(CurvedRay ray, float t) {
+    float mean = ray.quadric.x + ray.quadric.y;
+    float lean = ray.quadric.x - ray.quadric.y;
+    float spread = length(vec2(lean, ray.quadric.z));
+    vec2 first = lean >= 0.0 ? vec2(spread + lean, ray.quadric.z) : vec2(ray.quadric.z, spread - lean);
+    float size = length(first);
+    first = size > 0.0 ? first / size : vec2(1.0, 0.0);
+    vec2 curvature = vec2(-(mean + spread), -(mean - spread)); // along `first`, and across it
+    if (abs(curvature.x) > abs(curvature.y)) {
+        curvature = curvature.yx;
+        first = vec2(-first.y, first.x);
+    }
+    vec2 second = vec2(-first.y, first.x);
+
+    vec2 wide = vec2(dot(ray.sight.xy, first), dot(ray.sight.xy, first) * t); // speed, place
+    vec2 tight = vec2(dot(ray.sight.xy, second), dot(ray.sight.xy, second) * t);
+    float height = ray.sight.z * t;
+    float rise = ray.sight.z;
+    float s1;
+    float c1;
+    float s2;
+    float c2;
+    curved_turn(curvature.x, wide.y, height, wide.x, rise, s1, c1);
+    curved_turn(curvature.y, tight.y, height, tight.x, rise, s2, c2);
+
+    CurvedPlace place;
+    place.uv = ray.origin + ray.chart * (wide.y * first + tight.y * second);
+    place.depth = -height;
+    place.along = ray.chart * (wide.x * first + tight.x * second);
+    place.sinks = -rise;
+    place.up = vec3(s1 * c2 * first + s2 * second, c1 * c2);
+    return place;
+}
+#else
+CurvedPlace curved_place(CurvedRay ray, float t) {
+    float bend = curved_bend(ray);
+    CurvedPlace place;
+    place.along = ray.chart * ray.sight.xy;
+    place.uv = ray.origin + t * place.along;
+    place.depth = t * (bend * t - ray.sight.z);
+    place.sinks = 2.0 * bend * t - ray.sight.z;
+    vec2 p = t * ray.sight.xy;
+    vec2 slope = vec2(2.0 * ray.quadric.x * p.x + ray.quadric.z * p.y, 2.0 * ray.quadric.y * p.y + ray.quadric.z * p.x);
+#if CURVED_PATH == 0
+    slope = vec2(0.0, 0.0);
+#endif
+    place.up = normalize(vec3(-slope, 1.0));
+    return place;
+}
+#endif

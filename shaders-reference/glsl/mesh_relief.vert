@@ -1,0 +1,34 @@
+// A mesh with the attributes that curved relief needs: `reliefbake quadric` bakes them.
+
+layout(location = 0) in vec3 in_position;
+layout(location = 1) in vec3 in_normal;  // unit
+layout(location = 2) in vec4 in_tangent; // unit, and the sign of the bitangent: sign cross(normal, tangent)
+layout(location = 3) in vec2 in_uv;      // v down the map
+layout(location = 4) in vec3 in_quadric; // a, b, c per length
+layout(location = 5) in vec4 in_chart;   // du/dx, du/dy, dv/dx, dv/dy: x along the tangent, y along the bitangent, per length
+
+uniform vec3 camera_eye;
+uniform vec3 camera_forward; // unit
+uniform vec3 camera_right;   // half the picture's width at distance 1
+uniform vec3 camera_up;      // half the picture's height at distance 1
+uniform vec2 camera_range;   // near, far
+
+out vec3 mesh_sight;  // from the eye
+out vec3 mesh_normal;
+out vec4 mesh_tangent;
+out vec2 mesh_uv;
+out vec3 mesh_quadric;
+out vec4 mesh_chart;
+
+void main() {
+    mesh_sight = in_position - camera_eye;
+    mesh_normal = in_normal;
+    mesh_tangent = in_tangent;
+    mesh_uv = in_uv;
+    mesh_quadric = in_quadric;
+    mesh_chart = in_chart;
+    float ahead = dot(mesh_sight, camera_forward);
+    vec2 across = vec2(dot(mesh_sight, camera_right) / dot(camera_right, camera_right), dot(mesh_sight, camera_up) / dot(camera_up, camera_up));
+    float depth = (ahead * (camera_range.y + camera_range.x) - 2.0 * camera_range.x * camera_range.y) / (camera_range.y - camera_range.x);
+    gl_Position = vec4(across, depth, ahead);
+}
