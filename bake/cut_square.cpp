@@ -12,10 +12,10 @@ struct Corner {
     double x, y;
 };
 
-double distance_to_edge(const Corner& a, const Corner& b, double x, double y) {
+Corner nearest_on_edge(const Corner& a, const Corner& b, double x, double y) {
     const double ex = b.x - a.x, ey = b.y - a.y, square = ex * ex + ey * ey;
     const double t = square > 0 ? std::clamp(((x - a.x) * ex + (y - a.y) * ey) / square, 0.0, 1.0) : 0;
-    return std::hypot(x - a.x - t * ex, y - a.y - t * ey);
+    return {a.x + t * ex, a.y + t * ey};
 }
 
 /// How far along the normal the edge lies from the centre, so that the area behind it is `area`; a >= b >= 0 the normal's parts by
@@ -35,10 +35,9 @@ bool is_at_clamped_border(const TexelGrid& grid, int x, int y) {
 
 } // namespace
 
-double CutSquare::distance(double x, double y) const {
-    const double dx = std::max(std::fabs(x) - 0.5, 0.0), dy = std::max(std::fabs(y) - 0.5, 0.0);
-    if (is_whole()) return std::sqrt(dx * dx + dy * dy);
-    if (dx == 0 && dy == 0 && nx * x + ny * y <= reach) return 0;
+std::array<double, 2> CutSquare::nearest(double x, double y) const {
+    const double in_x = std::clamp(x, -0.5, 0.5), in_y = std::clamp(y, -0.5, 0.5);
+    if (is_whole() || (in_x == x && in_y == y && holds(x, y))) return {in_x, in_y};
     // The corners of what is left, in order: those of the square behind the edge, and where the edge cuts its sides.
     constexpr Corner square[] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
     std::array<Corner, 8> left;
@@ -52,9 +51,18 @@ double CutSquare::distance(double x, double y) const {
             left[count++] = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         }
     }
-    double least = HUGE_VAL;
-    for (std::size_t k = 0; k < count; ++k) least = std::min(least, distance_to_edge(left[k], left[(k + 1) % count], x, y));
-    return least;
+    const auto squared = [&](const Corner& c) { return (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y); };
+    Corner best{nx > 0 ? -0.5 : 0.5, ny > 0 ? -0.5 : 0.5}; // the last corner to go, where rounding leaves none
+    for (std::size_t k = 0; k < count; ++k) {
+        const Corner c = nearest_on_edge(left[k], left[(k + 1) % count], x, y);
+        if (squared(c) < squared(best)) best = c;
+    }
+    return {best.x, best.y};
+}
+
+double CutSquare::distance(double x, double y) const {
+    const auto [px, py] = nearest(x, y);
+    return std::sqrt((x - px) * (x - px) + (y - py) * (y - py));
 }
 
 CutSquare cut_square(const Image<float>& coverage, const TexelGrid& grid, int x, int y) {

@@ -15,8 +15,10 @@ struct CutSquare {
     double nx = 1, ny = 0, reach = 1;
 
     bool is_whole() const { return reach >= 0.70710678118654757; }
-    /// Distance from a point, in texels around the square's centre, to the nearest point of what is left; 0 within it.
-    double distance(double x, double y) const;
+    bool holds(double x, double y) const { return nx * x + ny * y <= reach; }
+    /// Of what is left the nearest point to one in texels around the square's centre; the point itself within it.
+    std::array<double, 2> nearest(double x, double y) const;
+    double distance(double x, double y) const; ///< to that point
 };
 
 /// The cut of a texel with coverage in (0, 1], across the gradient of the coverage around it, such that what is left has the coverage

@@ -141,6 +141,11 @@ constexpr double rounding_margin = 1 - 0x1p-22;
 
 } // namespace
 
+bool is_empty(const ShapeMap& map) {
+    const float outside = map.info.model == ShapeModel::contour ? 1 : 0.5f;
+    return std::none_of(map.shape.begin(), map.shape.end(), [outside](float stored) { return stored < outside; });
+}
+
 double safe_distance(double distance, const TexelGrid& grid) {
     const double texel = grid.pitch_x();
     const double square = distance * distance - 0.5 * texel * texel;

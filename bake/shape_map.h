@@ -49,6 +49,9 @@ inline double decoded_distance(double code, const ShapeMapInfo& info) {
     return info.tau * (info.signed_distance && is_unorm(info.bits) ? 2 * code - 1 : code);
 }
 
+/// Whether no part of any texel is inside.
+bool is_empty(const ShapeMap& map);
+
 /// How far one may go from anywhere, in texture widths, where the bilinearly filtered distance is `distance`, without entering the
 /// shape: Guarantee S. A distance D averaged over texels whose places vary by no more than 1/2 texel^2 is at most
 /// sqrt(d^2 + 1/2): its value at texel B is at most |B - q| for every q of the shape, and E|B - q| <= sqrt(|x - q|^2 + 1/2).

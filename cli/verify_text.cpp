@@ -2,6 +2,8 @@
 
 #include "cli/format_text.h"
 
+#include <cmath>
+
 namespace reliefbake {
 
 namespace {
@@ -41,7 +43,7 @@ std::string verify_text(const VerifyReport& report) {
 }
 
 std::string verify_text(const ShapeVerifyReport& report) {
-    std::string text = report.solids.empty() ? "no solid is judged: this shape's texels are cut (--antialiased)\n" : "solid                            rays     hits  missed   early  no end  gap, mean  normal: mean    95 %   steps    max\n";
+    std::string text = "solid                            rays     hits  missed   early  no end  gap, mean  normal: mean    95 %   steps    max\n";
     const auto count = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
     for (const SolidReport& solid : report.solids) {
         const SolidComparison& rays = solid.comparison;
@@ -49,9 +51,9 @@ std::string verify_text(const ShapeVerifyReport& report) {
                      count(rays.missed), count(rays.early), count(rays.out_of_steps), rays.gap_mean, rays.normal_mean, rays.normal_95, rays.steps_mean, rays.steps_max);
         if (rays.not_finite > 0) text += format("  %llu samples are not finite\n", count(rays.not_finite));
     }
-    if (!report.solids.empty()) text += format("a hit is early when it lies more than %.3e texture widths before the solid\n", report.allowed_gap);
+    text += format("a hit is early when it lies more than %.3e texture widths before the solid\n", report.allowed_gap);
     text += format("distances: %llu of %llu points violated; the worst leaves %.4f texels at u %.6f, v %.6f\n", count(report.distances.violations),
-                 count(report.distances.points), -report.distances.worst, report.distances.u, report.distances.v);
+                 count(report.distances.points), std::abs(report.distances.worst) < 5e-5 ? 0 : -report.distances.worst, report.distances.u, report.distances.v);
     return text + "verdict: " + to_string(report.verdict) + "\n";
 }
 

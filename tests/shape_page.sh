@@ -42,12 +42,11 @@ awk 'function radius(v) { return v > 0.94 ? 0.30 : v > 0.88 ? 0.30 - 1.6 * (0.94
         }
     }' >"$scratch/vase.pgm"
 
-# Pictures are drawn from anti-aliased maps, whose walls are smooth; measurements are made on the same shapes as squares.
+# Anti-aliased: their walls are smooth.
 bake() {
     local name=$1 source=$2
     shift 2
     "$tool" shape "$source" -o "$scratch/$name.exr" --antialiased --quiet "$@" 2>"$scratch/said"
-    "$tool" shape "$source" -o "$scratch/$name.squares.exr" --quiet "$@" 2>"$scratch/said"
 }
 bake gear "$data/shapes/bsicon_gear-wide-connected_1024.png"
 bake glyph "$data/shapes/glyph_dejavuserif_ampersand_1024.png" --invert
@@ -95,7 +94,7 @@ for scheme in published corrected; do draw $scheme text --view 72 --azimuth 60 -
 measure() {
     local title=$1 map=$2 name=$3
     shift 3
-    { "$tool" verify "$scratch/$map.squares.exr" --rays "$rays" --points 0 --json "$@" || true; } |
+    { "$tool" verify "$scratch/$map.exr" --rays "$rays" --points 0 --json "$@" || true; } |
         jq -r --arg title "$title" --arg name "$name" '.solids[] | select(.name == $name) |
             "| \($title) | \(.rays) | \(.missed * 1e4 / .rays | round / 100) % | \(.early * 1e4 / .rays | round / 100) % | \(.out_of_steps * 1e4 / .rays | round / 100) % | \(.gap_mean * 1e7 | round / 1e4) | \(.normal_mean * 100 | round / 100) | \(.steps_mean * 10 | round / 10) | \(.steps_max) |"'
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace reliefbake {
 namespace {
@@ -88,6 +89,11 @@ void judge_ray(const PixelShape& shape, const ShapeSolid& solid, const ShapeRend
 } // namespace
 
 PixelShape stored_shape(const ShapeMap& map) {
+    if (map.info.model == ShapeModel::contour) {
+        Image<float> coverage = map.shape;
+        for (float& c : coverage) c = 1 - c;
+        return PixelShape(map.grid, std::move(coverage));
+    }
     Image<std::uint8_t> inside(map.grid.width, map.grid.height);
     for (std::size_t k = 0; k < inside.size(); ++k) inside[k] = map.shape[k] < 0.5f;
     return PixelShape(map.grid, inside, map.info.model);

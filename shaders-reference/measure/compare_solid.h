@@ -9,7 +9,7 @@
 
 namespace reliefbake {
 
-/// The shape that a map stores, as its model says. Not for ShapeModel::contour, whose coverage no map holds.
+/// The shape that a map stores, as its model says.
 PixelShape stored_shape(const ShapeMap& map);
 
 /// How far before the solid a hit may lie, texture widths: what the filter, guarantee S, the codes, the sampler and the march's epsilon

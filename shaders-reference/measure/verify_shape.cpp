@@ -1,6 +1,5 @@
 #include "shaders-reference/measure/verify_shape.h"
 
-#include "shaders-reference/measure/check_contour.h"
 #include "shaders-reference/measure/heat_map.h"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ constexpr ViewAngle box_views[] = {{0, 0}, {60, 25}, {90, 117}, {130, 229}};
 /// Every kind of solid: basic, extended, bevelled, chamfered; on a plane, in a box, revolved.
 std::vector<SolidReport> all_solids(const ShapeMap& map, const ShapeVerifyOptions& options) {
     const double reach = options.outward + options.bevel;
-    const bool bounded = map.info.scale_f < 1 || std::none_of(map.shape.begin(), map.shape.end(), [](float outside) { return outside < 0.5f; });
+    const bool bounded = map.info.scale_f < 1 || is_empty(map);
     const double share = bounded && reach > 0 ? std::min(1.0, least_margin * map.info.tau / reach) : 1;
     struct Growth {
         const char* name;
@@ -112,19 +111,9 @@ Result<void> judge_solid(ShapeRenderer& renderer, const PixelShape& shape, Solid
     return {};
 }
 
-/// Distances alone: the solids' oracle knows squares, not cut ones.
-ShapeVerifyReport verify_contour(const ShapeMap& map, const ShapeVerifyOptions& options) {
-    ShapeVerifyReport report;
-    report.distances = check_contour(map, stored_contour(map), options.points, options.seed, options.threads);
-    report.allowed_gap = allowed_gap(map, options.filter, ShapeRenderOptions().epsilon);
-    if (report.distances.violations > 0) report.verdict = map.info.guarantee == "S" ? Verdict::unsafe : Verdict::not_conservative;
-    return report;
-}
-
 } // namespace
 
 Result<ShapeVerifyReport> verify_shape(const ShapeMap& map, const ShapeVerifyOptions& options) {
-    if (map.info.model == ShapeModel::contour) return verify_contour(map, options);
     Result<ShapeRenderer> renderer = ShapeRenderer::create(options.backend);
     if (!renderer) return tl::unexpected<Error>(renderer.error());
     if (Result<void> loaded = renderer->load(map, options.filter); !loaded) return tl::unexpected<Error>(loaded.error());

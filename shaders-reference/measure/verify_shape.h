@@ -44,7 +44,6 @@ struct ShapeVerifyReport {
     double oracle_rays_per_second = 0; ///< and all threads
 };
 
-/// A shape of sub-pixel contours is judged by its distances alone: `solids` stays empty.
 /// Errors (usage): no renderer, the map does not fit it, numbers outside the ranges of solid.h.
 Result<ShapeVerifyReport> verify_shape(const ShapeMap& map, const ShapeVerifyOptions& options = {});
 

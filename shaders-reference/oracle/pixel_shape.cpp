@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace reliefbake {
 namespace {
@@ -26,9 +27,23 @@ PixelShape::PixelShape(const TexelGrid& grid, const Image<std::uint8_t>& inside,
     : grid_(grid), margin_(model == ShapeModel::centres ? 0.5 : 0) {
     assert(model != ShapeModel::contour);
     assert(inside.width() == grid.width && inside.height() == grid.height);
-    Image<std::uint8_t> level(grid.width, grid.height);
-    for (std::size_t k = 0; k < level.size(); ++k) level[k] = inside[k] ? has_inside : has_outside;
-    levels_.push_back(std::move(level));
+    Image<std::uint8_t> squares(grid.width, grid.height);
+    for (std::size_t k = 0; k < squares.size(); ++k) squares[k] = inside[k] ? has_inside : has_outside;
+    build_pyramid(std::move(squares));
+}
+
+PixelShape::PixelShape(const TexelGrid& grid, Image<float> coverage) : grid_(grid), coverage_(std::move(coverage)) {
+    assert(grid.pixel_aspect == 1);
+    assert(coverage_.width() == grid.width && coverage_.height() == grid.height);
+    Image<std::uint8_t> squares(grid.width, grid.height);
+    for (int j = 0; j < grid.height; ++j)
+        for (int i = 0; i < grid.width; ++i)
+            squares(i, j) = !(coverage_(i, j) > 0) ? has_outside : cut_at(i, j, true).is_whole() ? has_inside : cut;
+    build_pyramid(std::move(squares));
+}
+
+void PixelShape::build_pyramid(Image<std::uint8_t> squares) {
+    levels_.push_back(std::move(squares));
     while (levels_.back().size() > 1) {
         const Image<std::uint8_t>& below = levels_.back();
         Image<std::uint8_t> above((below.width() + 1) / 2, (below.height() + 1) / 2, 0);
@@ -38,13 +53,20 @@ PixelShape::PixelShape(const TexelGrid& grid, const Image<std::uint8_t>& inside,
     }
 }
 
+/// The part of a square that is inside, or the rest of it; around the square's centre.
+CutSquare PixelShape::cut_at(int i, int j, bool inside) const {
+    const CutSquare part = cut_square(coverage_, grid_, i, j);
+    return inside ? part : CutSquare{-part.nx, -part.ny, -part.reach};
+}
+
 bool PixelShape::contains(double u, double v) const {
     if (margin_ > 0) return false;
     const double x = u * grid_.width, y = v * grid_.height;
     const double i = std::floor(x - whole_tiles(x, grid_.width, grid_.wrap_x) * grid_.width);
     const double j = std::floor(y - whole_tiles(y, grid_.height, grid_.wrap_y) * grid_.height);
     if (!(i >= 0 && i < grid_.width && j >= 0 && j < grid_.height)) return false;
-    return levels_.front()(int(i), int(j)) == has_inside;
+    const std::uint8_t holds = levels_.front()(int(i), int(j));
+    return holds == cut ? cut_at(int(i), int(j), true).holds(x - std::floor(x) - 0.5, y - std::floor(y) - 0.5) : holds == has_inside;
 }
 
 // Branch and bound, the nearest block first. On a repeated axis the nearest square lies at most half a tile away, so this tile
@@ -94,6 +116,16 @@ NearestPoint PixelShape::nearest(double u, double v, bool inside) const {
             best2 = block.distance2;
             best.u = std::clamp(x, r.low_x, r.high_x) / grid_.width + tiles_u;
             best.v = std::clamp(y, r.low_y, r.high_y) / grid_.height + tiles_v;
+            continue;
+        }
+        if (block.level == 0) { // a part of a square
+            const double centre_x = double(block.tile_x) * grid_.width + block.i + 0.5, centre_y = double(block.tile_y) * grid_.height + block.j + 0.5;
+            const auto [dx, dy] = cut_at(block.i, block.j, inside).nearest(x - centre_x, y - centre_y);
+            const double gap_x = x - centre_x - dx, gap_y = y - centre_y - dy, distance2 = gap_x * gap_x + gap_y * gap_y;
+            if (distance2 >= best2) continue;
+            best2 = distance2;
+            best.u = (centre_x + dx) / grid_.width + tiles_u;
+            best.v = (centre_y + dy) / grid_.height + tiles_v;
             continue;
         }
         const Image<std::uint8_t>& below = levels_[std::size_t(block.level - 1)];

@@ -141,7 +141,7 @@ Result<void> ShapeRenderer::load(const ShapeMap& map, SamplerFilter filter) {
     state_->map = std::move(*texture);
     state_->info = map.info;
     state_->grid = map.grid;
-    state_->bounded = map.info.scale_f < 1 || std::none_of(map.shape.begin(), map.shape.end(), [](float outside) { return outside < 0.5f; });
+    state_->bounded = map.info.scale_f < 1 || is_empty(map);
     state_->delta = filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;
     return {};
 }

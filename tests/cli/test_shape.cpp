@@ -65,7 +65,7 @@ TEST_CASE("Every bit depth of every format of a shape map says what it is and ve
             CHECK((map["bits"].is_string() ? map["bits"].get<std::string>() : map["bits"].dump()) == bits);
             CHECK(map["tau"].get<double>() == Approx(map["scale_f"].get<double>() * map["max_distance"].get<double>() / 128).epsilon(1e-6));
             if (options != " --antialiased --invert") continue; // tests/shapes_all.sh follows rays for all of them
-            const Outcome verified = run_tool("verify " + file + " --points 3000 --json");
+            const Outcome verified = run_tool("verify " + file + " --points 3000 --rays 3000 --json");
             INFO(verified.err);
             CHECK(verified.status == 0);
             CHECK(json::parse(verified.out)["violations"] == 0);

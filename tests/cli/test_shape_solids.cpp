@@ -33,7 +33,7 @@ void require_run(const std::string& arguments) {
 TEST_CASE("a shape map verifies at every bit depth, and what verify prints is complete") {
     write_ring("ring.pgm");
     for (const std::string output : {"a.png --bits 8", "a.png --bits 16", "a.exr --bits half", "a.exr --bits float", "a.tif --bits 16 --signed", "a.png --wrap repeat",
-                                     "a.png --scale-f 0.4", "a.png --model centres"}) {
+                                     "a.png --scale-f 0.4", "a.png --model centres", "a.png --antialiased", "a.exr --bits float --antialiased --signed --wrap repeat"}) {
         require_run("shape ring.pgm --quiet -o " + output);
         const Outcome outcome = run_tool("verify " + output.substr(0, 5) + " --rays 6000 --points 1000 --json");
         INFO(output << outcome.err);
@@ -55,12 +55,8 @@ TEST_CASE("a shape map verifies at every bit depth, and what verify prints is co
     CHECK(run_tool("verify a.png --rays 3000 --points 100").out.find("verdict: safe") != std::string::npos);
 }
 
-TEST_CASE("verify says what it cannot judge, and takes no option of other maps") {
+TEST_CASE("verify takes no option of other maps") {
     write_ring("ring.pgm");
-    require_run("shape ring.pgm --quiet -o c.png --antialiased");
-    const Outcome contour = run_tool("verify c.png --points 200");
-    CHECK(contour.status == 0);
-    CHECK(contour.out.find("no solid is judged") != std::string::npos);
     require_run("shape ring.pgm --quiet -o s.png");
     for (const std::string option : {"--technique linear", "--exact-finish", "--crop 3", "--source ring.pgm", "--metric l2"}) {
         INFO(option);

@@ -4,7 +4,7 @@
 #include "bake/danielsson.h"
 #include "bake/distance_transform.h"
 #include "bake/shape_map.h"
-#include "shaders-reference/measure/check_contour.h"
+#include "shaders-reference/measure/compare_solid.h"
 
 #include <catch2/catch.hpp>
 
@@ -31,7 +31,6 @@ BinaryShape shape_of(const Image<float>& picture, ShapeModel model, bool wrap) {
 }
 
 DistanceCheck check(const ShapeMap& map, int points) {
-    if (map.info.model == ShapeModel::contour) return check_contour(map, stored_contour(map), points, 1, 1);
     return check_distances(map, stored_shape(map), points, 1, 1);
 }
 

@@ -22,6 +22,24 @@ inline Image<std::uint8_t> random_shape(const TexelGrid& grid, std::uint32_t see
     return shape_of(grid, [&](int, int) { return random() % 256 < share; });
 }
 
+/// How much of each texel is inside: none and all of the most, and everything between.
+inline Image<float> random_coverage(const TexelGrid& grid, std::uint32_t seed, unsigned share) {
+    std::mt19937 random(seed);
+    Image<float> coverage(grid.width, grid.height, 0);
+    for (float& c : coverage)
+        if (random() % 256 < share) c = random() % 2 ? 1.0f : float(random() % 256) / 255;
+    return coverage;
+}
+
+/// The map of an anti-aliased shape.
+inline ShapeMap contour_map_of(const TexelGrid& grid, Image<float> coverage, const ShapeMapOptions& options = {}) {
+    ShapeOptions door;
+    door.bright_is_inside = true;
+    door.wrap_x = grid.wrap_x == Wrap::repeat, door.wrap_y = grid.wrap_y == Wrap::repeat;
+    door.model = ShapeModel::contour;
+    return *bake_shape_map(*make_shape(std::move(coverage), door, "test"), options);
+}
+
 /// The map of a shape (1 inside).
 inline ShapeMap shape_map_of(const TexelGrid& grid, const Image<std::uint8_t>& inside, const ShapeMapOptions& options = {},
                              ShapeModel model = ShapeModel::squares) {

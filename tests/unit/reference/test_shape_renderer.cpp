@@ -92,18 +92,20 @@ TEST_CASE("no ray misses a solid, in any kind, place, view and bit depth", "[ren
                 const TexelGrid grid{20 + int(random() % 9), 17 + int(random() % 9), wrap, wrap, 1};
                 ShapeMapOptions bake;
                 bake.bits = bits, bake.signed_distance = with_sign;
-                const ShapeMap map = shape_map_of(grid, random_shape(grid, random(), 10), bake);
+                const ShapeMap squares = shape_map_of(grid, random_shape(grid, random(), 10), bake);
+                const ShapeMap contour = contour_map_of(grid, random_coverage(grid, random(), 10), bake);
                 for (const Growth& g : growths)
-                    for (int place = 0; place < 3; ++place) {
-                        const SolidKind kind = place == 2 ? SolidKind::revolution : SolidKind::extrusion;
-                        ShapeRenderOptions options = frame(kind, place == 0 ? uniform(random, 0, 88) : uniform(random, 0, 180), uniform(random, 0, 360), g.e, g.b, g.c);
-                        options.solid.on_plane = place == 0;
+                    for (int place = 0; place < 6; ++place) {
+                        const ShapeMap& map = place < 3 ? squares : contour;
+                        const SolidKind kind = place % 3 == 2 ? SolidKind::revolution : SolidKind::extrusion;
+                        ShapeRenderOptions options = frame(kind, place % 3 == 0 ? uniform(random, 0, 88) : uniform(random, 0, 180), uniform(random, 0, 360), g.e, g.b, g.c);
+                        options.solid.on_plane = place % 3 == 0;
                         options.solid.tiles = wrap == Wrap::repeat ? 2 : 1;
                         options.solid.axis = random() % 2 * 0.4;
                         const SolidComparison result = compare(map, options);
                         INFO("bits " << int(bits) << " wrap " << int(wrap) << " place " << place << " e " << g.e << " b " << g.b << " c " << g.c << " angle "
                                      << options.view.angle << " azimuth " << options.view.azimuth << " gap max " << result.gap_max * grid.width);
-                        CHECK(result.rays > 100);
+                        CHECK(result.rays > 50); // planes seen at a grazing angle are strips
                         CHECK(result.missed == 0);
                         CHECK(result.early == 0);
                         CHECK(result.out_of_steps == 0);
@@ -111,24 +113,45 @@ TEST_CASE("no ray misses a solid, in any kind, place, view and bit depth", "[ren
                         hits += result.hits, passed += result.rays - result.hits;
                     }
             }
-    CHECK(hits > 20000);
-    CHECK(passed > 20000);
+    CHECK(hits > 40000);
+    CHECK(passed > 40000);
 }
 
 TEST_CASE("distances that are too long, or too short, are caught", "[renderer][solid]") {
     const TexelGrid grid = clamped24;
-    ShapeMap map = shape_map_of(grid, random_shape(grid, 5, 10));
-    const double tau = map.info.tau;
-    std::uint64_t missed = 0, early = 0;
-    for (const Growth& g : growths)
-        for (const SolidKind kind : {SolidKind::extrusion, SolidKind::revolution}) {
-            map.info.tau = 1.3 * tau;
-            missed += compare(map, frame(kind, 70, 30, g.e, g.b, g.c)).missed;
-            map.info.tau = 0.3 * tau;
-            early += compare(map, frame(kind, 70, 30, g.e, g.b, g.c)).early;
-        }
-    CHECK(missed > 100);
-    CHECK(early > 100);
+    for (ShapeMap map : {shape_map_of(grid, random_shape(grid, 5, 10)), contour_map_of(grid, random_coverage(grid, 5, 10))}) {
+        const double tau = map.info.tau;
+        std::uint64_t missed = 0, early = 0;
+        for (const Growth& g : growths)
+            for (const SolidKind kind : {SolidKind::extrusion, SolidKind::revolution}) {
+                map.info.tau = 1.3 * tau;
+                missed += compare(map, frame(kind, 70, 30, g.e, g.b, g.c)).missed;
+                map.info.tau = 0.3 * tau;
+                early += compare(map, frame(kind, 70, 30, g.e, g.b, g.c)).early;
+            }
+        INFO("model " << int(map.info.model));
+        CHECK(missed > 100);
+        CHECK(early > 100);
+    }
+}
+
+TEST_CASE("an anti-aliased shape that is a little more than its map says is missed", "[renderer][solid]") {
+    // A disc drawn from the map of one that is a third of a texel smaller.
+    const auto coverage = [](double radius) {
+        Image<float> disc(24, 24);
+        for (int j = 0; j < 24; ++j)
+            for (int i = 0; i < 24; ++i) disc(i, j) = float(std::clamp(radius - std::hypot(i - 11.3, j - 11.9) + 0.5, 0.0, 1.0));
+        return disc;
+    };
+    ShapeMapOptions bake;
+    bake.bits = BitDepth::float32;
+    const ShapeMap small = contour_map_of(clamped24, coverage(6.0), bake), large = contour_map_of(clamped24, coverage(6.35), bake);
+    for (const SolidKind kind : {SolidKind::extrusion, SolidKind::revolution}) {
+        const ShapeRenderOptions options = frame(kind, 70, 30, 0.1);
+        CHECK(compare(small, options).missed == 0);
+        const ShapeRendering rendering = draw(small, options);
+        CHECK(compare_solid(stored_shape(large), options.solid, {&rendering, 1}, {1, 0}).missed > 20);
+    }
 }
 
 TEST_CASE("the printed scheme jumps bevelled walls, the corrected one does not", "[renderer][solid]") {
