@@ -1,22 +1,16 @@
 #include "cli/argument_hash.h"
 
 #include "cli/choices.h"
+#include "cli/format_text.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
-
-#include <charconv>
 
 namespace reliefbake {
 
 namespace {
 
 /// The shortest digits that read back as the same number, in every locale.
-std::string digits(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
-
 std::string result_text(const ConePlan& plan) {
     std::string text = "\nsurface=" + word_of(surface_words, plan.cone.surface);
     text += "\nmetric=" + word_of(metric_words, plan.cone.metric);

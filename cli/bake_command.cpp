@@ -27,7 +27,7 @@ void print(const BakedMaps& baked) {
     for (const BakedMap& map : baked.maps)
         runs.push_back({map.plan, baked.source.image, baked.source.report, map.info, map.grid, map.warnings, map.seconds, map.levels});
     for (const ConeRun& run : runs)
-        for (const std::string& warning : run.warnings) std::fprintf(stderr, "reliefbake cone: warning: %s\n", warning.c_str());
+        for (const std::string& warning : run.warnings) std::fprintf(stderr, "reliefbake %s: warning: %s\n", run.plan.given.command.c_str(), warning.c_str());
     const ConeCommandOptions& given = baked.maps.front().plan.given;
     if (given.quiet) return;
     if (given.json) {

@@ -32,7 +32,7 @@ void ConeCommand::add_own_options(CLI::App& app) {
 }
 
 void AcmCommand::add_own_options(CLI::App& app) {
-    options_.kind = "acm";
+    options_.command = options_.kind = "acm";
     options_.planes = 4;
     add_search_options(app, options_);
     add_cone_max_option(app, options_);
@@ -68,6 +68,7 @@ Result<ConeCommandOptions> AcmCommand::given() const {
 }
 
 void ConeNormalCommand::add_own_options(CLI::App& app) {
+    options_.command = "cone-normal";
     options_.encoding = ConeEncoding::normal;
     options_.cone.ratio_max = std::numeric_limits<float>::infinity();
     add_search_options(app, options_);
@@ -78,6 +79,7 @@ void ConeNormalCommand::add_own_options(CLI::App& app) {
 }
 
 void ConeStackCommand::add_own_options(CLI::App& app) {
+    options_.command = "cone-stack";
     options_.planes = 4;
     add_search_options(app, options_);
     add_cone_max_option(app, options_);

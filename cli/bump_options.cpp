@@ -1,13 +1,13 @@
 #include "cli/bump_options.h"
 
 #include "cli/argument_hash.h"
+#include "cli/format_text.h"
 #include "cli/number_options.h"
 #include "cli/output_checks.h"
 #include "cli/thread_option.h"
 #include "cli/version.h"
 #include "formats/bump_file.h"
 
-#include <charconv>
 #include <filesystem>
 
 namespace reliefbake {
@@ -51,11 +51,6 @@ Result<void> validate_outputs(const BumpCommandOptions& o, const BumpMapInfo& in
 ChannelLayout default_layout(const BumpCommandOptions& o) {
     if (o.kind != BumpKind::horizon) return ChannelLayout::rgba;
     return extension_of(o.height.output) == ".exr" ? ChannelLayout::named : ChannelLayout::pair;
-}
-
-std::string digits(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
 std::string result_text(const BumpPlan& plan) {

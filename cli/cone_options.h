@@ -27,6 +27,7 @@ struct ConeCommandOptions {
     ReadOptions read;     ///< --channel, --max-bytes
     AlphaOptions alpha;   ///< --alpha --alpha-threshold
     HeightOptions height; ///< --input --range --nan --no-data --scale --bias --wrap --pixel-aspect
+    std::string command = "cone"; ///< its name: cone, acm, cone-normal, cone-stack
     std::string kind = "cone"; ///< what the command bakes: "cone", "acm", "cone-stack", "cone-pieces"
     int planes = 1;            ///< sectors of an acm (--sectors), levels or pieces of a stack (--levels)
     std::optional<AdaptiveOptions> adaptive; ///< acm --method adaptive

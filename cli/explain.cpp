@@ -6,6 +6,7 @@
 #include "cli/map_hint_options.h"
 #include "formats/bump_file.h"
 #include "formats/map_json.h"
+#include "formats/map_kind.h"
 #include "formats/shape_file.h"
 
 #include <cstdio>

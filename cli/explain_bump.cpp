@@ -2,19 +2,15 @@
 
 #include "bake/wrap_words.h"
 #include "cli/bump_options.h"
+#include "cli/explain_lines.h"
+#include "cli/format_text.h"
 #include "formats/bump_file.h"
 
-#include <charconv>
 #include <cstdio>
 
 namespace reliefbake {
 
 namespace {
-
-std::string digits(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 /// "(x * 255.0 - 128.0) / 127.0": in this order zero comes out as 0.
 std::string signed_formula(const std::string& sample, const BumpMapInfo& info) {
@@ -81,15 +77,12 @@ std::string kind_lines(const BumpMap& map) {
 
 std::string explain_bump_text(const BumpMap& map) {
     const BumpMapInfo& info = map.info;
-    std::string text = "A " + word_of(bump_kind_words, info.kind) + " map of " + std::to_string(map.grid.width) + " x " + std::to_string(map.grid.height) +
-                       " texels, " + word_of(bits_words, info.bits) + " bits" + (info.version.empty() ? "" : ", by reliefbake " + info.version) + ".\n";
+    std::string text = title_line(word_of(bump_kind_words, info.kind), map.grid, info.bits, info.version);
     text += "Sample it with linear or nearest filtering, " + addressing_of(map.grid) + ", no sRGB decoding.\n";
     text += kind_lines(map);
     if (holds_depth(info)) text += "  depth   " + bump_images(info)[0].channels.back() + "; 0 is the top (height 1), 1 the floor.\n";
     text += "At texel centres a decoded value is at most " + digits(info.error) + " from that of the exact surface of the stored depth.\n";
-    for (const auto& [name, value] : info.statistics) text += "  " + name + " = " + digits(value) + "\n";
-    if (!info.source_hash.empty()) text += "Source pixels " + info.source_hash + ", options " + info.argument_hash + ".\n";
-    return text;
+    return text + statistics_lines(info.statistics) + source_line(info.source_hash, info.argument_hash);
 }
 
 } // namespace reliefbake

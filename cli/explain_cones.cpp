@@ -1,17 +1,11 @@
 #include "cli/explain_cones.h"
 
+#include "cli/format_text.h"
 #include "formats/map_layout.h"
-
-#include <charconv>
 
 namespace reliefbake {
 
 namespace {
-
-std::string digits(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 /// "R G B A", only those that hold planes of their own.
 std::string cone_channels(const ReliefMapInfo& info) {

@@ -1,19 +1,14 @@
 #include "cli/explain_shape.h"
 
 #include "bake/wrap_words.h"
+#include "cli/explain_lines.h"
+#include "cli/format_text.h"
 #include "cli/shape_choices.h"
 #include "formats/shape_json.h"
-
-#include <charconv>
 
 namespace reliefbake {
 
 namespace {
-
-std::string digits(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 const char* model_lines(ShapeModel model) {
     switch (model) {
@@ -31,8 +26,7 @@ std::string explain_shape_text(const ShapeMap& map) {
     const std::vector<std::string> channels = shape_channels(info);
     const std::string b = channels[2], gradient = "vec2(" + channels[0] + ", " + channels[1] + ")";
     const bool scaled = is_unorm(info.bits);
-    std::string text = "A shape map of " + std::to_string(map.grid.width) + " x " + std::to_string(map.grid.height) + " texels, " +
-                       word_of(bits_words, info.bits) + " bits" + (info.version.empty() ? "" : ", by reliefbake " + info.version) + ".\n";
+    std::string text = title_line("shape", map.grid, info.bits, info.version);
     text += "Sample it with linear or nearest filtering, " + addressing_of(map.grid) + ", no sRGB decoding, no mips.\n";
     text += std::string(model_lines(info.model)) + (info.inverted ? "; it is the other side of its picture.\n" : ".\n");
     text += "  distance " + digits(info.tau) + " * " + (info.signed_distance && scaled ? "(2.0 * " + b + " - 1.0)" : b) +
@@ -44,9 +38,7 @@ std::string explain_shape_text(const ShapeMap& map) {
     else text += "  safe     Nothing is guaranteed: the distances of this method are a little too large here and there.\n";
     text += "  gradient normalize(" + (scaled ? "2.0 * " + gradient + " - 1.0" : gradient) + "), u to the right, v down the image.\n";
     text += "  shape    " + channels[3] + "; 0 inside, 1 outside; fetch it unfiltered.\n";
-    for (const auto& [name, value] : info.statistics) text += "  " + name + " = " + digits(value) + "\n";
-    if (!info.source_hash.empty()) text += "Source pixels " + info.source_hash + ", options " + info.argument_hash + ".\n";
-    return text;
+    return text + statistics_lines(info.statistics) + source_line(info.source_hash, info.argument_hash);
 }
 
 } // namespace reliefbake

@@ -3,19 +3,14 @@
 #include "bake/wrap_words.h"
 #include "cli/choices.h"
 #include "cli/explain_cones.h"
+#include "cli/explain_lines.h"
+#include "cli/format_text.h"
 #include "formats/map_layout.h"
 #include "formats/shortest_decimal.h"
-
-#include <charconv>
 
 namespace reliefbake {
 
 namespace {
-
-std::string digits(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 std::string ratio_formula(const ReliefMapInfo& info, const std::string& cone, const std::string& depth) {
     const std::string max = digits(shortest_decimal(info.cone_max));
@@ -98,20 +93,12 @@ std::string channel_lines(const ReliefMap& map) {
 
 std::string explain_text(const ReliefMap& map) {
     const ReliefMapInfo& info = map.info;
-    std::string text = "A " + info.kind + " map of " + std::to_string(map.grid.width) + " x " +
-                       std::to_string(map.grid.height) + " texels, " + word_of(bits_words, info.bits) +
-                       " bits";
-    text += info.version.empty() ? ".\n" : ", by reliefbake " + info.version + ".\n";
+    std::string text = title_line(info.kind, map.grid, info.bits, info.version);
     text += "Sample it with linear or nearest filtering, " + addressing_of(map.grid) + ", no sRGB decoding, " +
             mip_words(info) + ".\n";
     const bool readable = is_known_kind(info.kind) || !map.depth.empty() || !map.cone.empty();
     text += readable ? channel_lines(map) : "This version does not know the kind, nor how its channels are decoded.\n";
-    text += safety_lines(info);
-    for (const auto& [name, value] : info.statistics)
-        text += "  " + name + " = " + digits(value) + "\n";
-    if (!info.source_hash.empty())
-        text += "Source pixels " + info.source_hash + (info.argument_hash.empty() ? "" : ", options " + info.argument_hash) + ".\n";
-    return text;
+    return text + safety_lines(info) + statistics_lines(info.statistics) + source_line(info.source_hash, info.argument_hash);
 }
 
 } // namespace reliefbake

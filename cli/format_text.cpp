@@ -1,5 +1,6 @@
 #include "cli/format_text.h"
 
+#include <charconv>
 #include <cstdarg>
 #include <cstdio>
 
@@ -12,6 +13,11 @@ std::string format(const char* pattern, ...) {
     std::vsnprintf(text, sizeof text, pattern, arguments);
     va_end(arguments);
     return text;
+}
+
+std::string digits(double number) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
 } // namespace reliefbake

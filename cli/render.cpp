@@ -4,7 +4,7 @@
 #include "cli/number_options.h"
 #include "cli/render_choices.h"
 #include "formats/bump_file.h"
-#include "formats/shape_file.h"
+#include "formats/map_kind.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/compare.h"
 #include "shaders-reference/measure/heat_map.h"

@@ -3,7 +3,7 @@
 #include "cli/choices.h"
 #include "cli/map_hint_options.h"
 #include "formats/bump_file.h"
-#include "formats/shape_file.h"
+#include "formats/map_kind.h"
 #include "shaders-reference/renderer/bump_export.h"
 
 #include <cstdio>

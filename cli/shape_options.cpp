@@ -2,6 +2,7 @@
 
 #include "cli/argument_hash.h"
 #include "cli/choices.h"
+#include "cli/format_text.h"
 #include "cli/number_options.h"
 #include "cli/output_checks.h"
 #include "cli/shape_choices.h"
@@ -9,18 +10,11 @@
 #include "cli/wrap_option.h"
 #include "formats/shape_file.h"
 
-#include <charconv>
-
 namespace reliefbake {
 
 namespace {
 
 /// The shortest digits that read back as the same number, in every locale.
-std::string digits(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
-
 const Words<bool> exr_layout_words = {{"rgba", false}, {"named", true}};
 
 const NumberRule above_zero_to_one = {[](double v) { return v > 0 && v <= 1; }, "a number above 0, at most 1"};

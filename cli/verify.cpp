@@ -8,7 +8,7 @@
 #include "cli/verify_shape.h"
 #include "cli/verify_text.h"
 #include "formats/bump_file.h"
-#include "formats/shape_file.h"
+#include "formats/map_kind.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/stored_depth.h"
 
@@ -111,6 +111,10 @@ Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
 Result<void> VerifyCommand::run_bump(const std::string& kind) const {
     for (const char* unread : {"--pictures", "--source", "--crop", "--technique", "--exact-finish", "--steps", "--binary-steps", "--filter"})
         if (app_->count(unread) > 0) return fail(ErrorCode::usage, std::string(unread) + ": says nothing to a map of kind " + kind);
+    if (kind != word_of(BumpKind::horizon))
+        for (const char* unread : {"--rays", "--points", "--seed", "--renderer"})
+            if (app_->count(unread) > 0)
+                return fail(ErrorCode::usage, std::string(unread) + ": is for maps that are sampled; every texel of a map of kind " + kind + " is checked");
     MapHints hints = options_.hints;
     const std::string relief = std::exchange(hints.relief, {}).string();
     if (Result<void> checked = refuse_hints(hints, options_.file, kind); !checked) return checked;

@@ -36,7 +36,7 @@ nlohmann::json to_json(const BumpMapInfo& info, const TexelGrid& grid);
 /// exr half|float, tga 8.
 Result<void> check_bump_format(const std::filesystem::path& path, const BumpMapInfo& info);
 
-/// Encodes in memory and writes atomically, as write_map does: same map, same bytes; two files one after the other. TGA keeps
+/// Encodes in memory and writes atomically, as write_map does: same map, same bytes; two files appear together. TGA keeps
 /// no metadata: such a file is not read again. Errors: usage, cannot_create, write_failed, internal.
 Result<void> write_bump_map(const std::filesystem::path& path, const BumpMap& map, int threads = 1);
 

@@ -13,16 +13,20 @@ namespace {
 
 // The words of the file format, in the order of the enumerators.
 constexpr std::array kind_words{"derivative", "normal", "horizon"};
-constexpr std::array layout_words{"rgba", "named", "side", "pair"};
 constexpr std::array codes_words{"centred", "unorm"};
 constexpr std::array kernel_words{"central", "sobel", "scharr"};
-constexpr std::array normal_y_words{"gl", "dx"};
 
-/// A fact that must be there.
-template <class T>
-T required(const std::optional<T>& fact, const char* key, BumpFacts& facts) {
-    if (!fact) facts.bad_keys.emplace_back(key);
-    return fact.value_or(T{});
+const char* const azimuth_names[] = {"horizon.a0", "horizon.a1", "horizon.a2", "horizon.a3", "horizon.a4", "horizon.a5", "horizon.a6", "horizon.a7"};
+
+std::vector<std::string> named_channels(BumpKind kind) {
+    switch (kind) {
+    case BumpKind::derivative: return {"bump.du", "bump.dv", "relief.depth"};
+    case BumpKind::normal: return {"relief.nx", "relief.ny", "relief.nz", "relief.depth"};
+    case BumpKind::horizon: break;
+    }
+    std::vector<std::string> names(std::begin(azimuth_names), std::end(azimuth_names));
+    names.emplace_back("relief.depth");
+    return names;
 }
 
 json azimuths(const TexelGrid& grid) {
@@ -46,13 +50,13 @@ void write_kind(const BumpMapInfo& info, const TexelGrid& grid, json& facts) {
 void read_kind(const FactReader& reader, BumpFacts& facts) {
     BumpMapInfo& info = facts.info;
     constexpr double largest = 1e9;
-    if (info.kind != BumpKind::derivative) info.depth_scale = required(reader.number("depth_scale", 1e-30, largest), "depth_scale", facts);
+    if (info.kind != BumpKind::derivative) info.depth_scale = reader.required(reader.number("depth_scale", 1e-30, largest), "depth_scale");
     if (info.kind == BumpKind::horizon) return;
-    info.codes = required(reader.word<SignedCodes>("codes", codes_words), "codes", facts);
-    info.kernel = required(reader.word<DerivativeKernel>("kernel", kernel_words), "kernel", facts);
+    info.codes = reader.required(reader.word<SignedCodes>("codes", codes_words), "codes");
+    info.kernel = reader.required(reader.word<DerivativeKernel>("kernel", kernel_words), "kernel");
     if (info.kind == BumpKind::derivative)
-        info.derivative_scale = required(reader.number("derivative_scale", 1e-30, largest), "derivative_scale", facts);
-    if (info.kind == BumpKind::normal) info.normal_y = required(reader.word<NormalY>("normal_y", normal_y_words), "normal_y", facts);
+        info.derivative_scale = reader.required(reader.number("derivative_scale", 1e-30, largest), "derivative_scale");
+    if (info.kind == BumpKind::normal) info.normal_y = reader.required(reader.word<NormalY>("normal_y", normal_y_words), "normal_y");
 }
 
 } // namespace
@@ -60,6 +64,14 @@ void read_kind(const FactReader& reader, BumpFacts& facts) {
 const char* word_of(BumpKind kind) { return kind_words[std::size_t(kind)]; }
 
 std::optional<BumpKind> bump_kind_of(const std::string& word) { return FactReader::word_in<BumpKind>(word, kind_words); }
+
+std::vector<BumpImage> bump_images(const BumpMapInfo& info) {
+    if (info.layout == ChannelLayout::named) return {{"", named_channels(info.kind), 0}};
+    if (info.kind == BumpKind::derivative) return {{"", {"R", "G", "B"}, 0}};
+    const std::vector<std::string> rgba{"R", "G", "B", "A"};
+    if (info.kind == BumpKind::normal) return {{"", rgba, 0}};
+    return {{"", rgba, 0}, {"_b", rgba, 4}};
+}
 
 json to_json(const BumpMapInfo& info, const TexelGrid& grid) {
     json facts = {
@@ -93,20 +105,17 @@ BumpFacts bump_facts_from(const std::string& text) {
     if (!kind) return facts;
     BumpMapInfo& info = facts.info;
     info.kind = *kind;
-    info.layout = required(reader.word<ChannelLayout>("layout", layout_words), "layout", facts);
+    info.layout = reader.required(reader.word<ChannelLayout>("layout", layout_words), "layout");
     if (info.layout == ChannelLayout::side || (info.layout == ChannelLayout::pair && *kind != BumpKind::horizon) ||
         (info.layout == ChannelLayout::rgba && *kind == BumpKind::horizon))
         reader.bad("layout");
-    info.error = required(reader.number("error", 0, 1e9), "error", facts);
+    info.error = reader.required(reader.number("error", 0, 1e9), "error");
     read_kind(reader, facts);
-    info.version = reader.text("version").value_or("");
-    info.source_hash = reader.text("source_hash").value_or("");
-    info.argument_hash = reader.text("argument_hash").value_or("");
-    info.statistics = reader.numbers("statistics");
-    const auto wrap = required(reader.wrap("wrap"), "wrap", facts);
+    reader.origin(info);
+    const auto wrap = reader.required(reader.wrap("wrap"), "wrap");
     facts.wrap_x = wrap.first;
     facts.wrap_y = wrap.second;
-    facts.pixel_aspect = required(reader.number("pixel_aspect", least_pixel_aspect, largest_pixel_aspect), "pixel_aspect", facts);
+    facts.pixel_aspect = reader.required(reader.number("pixel_aspect", least_pixel_aspect, largest_pixel_aspect), "pixel_aspect");
     return facts;
 }
 

@@ -17,7 +17,10 @@
 
 namespace reliefbake {
 
-// The words that every kind of map shares.
+// The words of the file format that several kinds of map share, in the order of the enumerators.
+inline constexpr std::array layout_words{"rgba", "named", "side", "pair"};
+inline constexpr std::array normal_y_words{"gl", "dx"};
+
 nlohmann::json bits_to_json(BitDepth bits);
 nlohmann::json wrap_to_json(const TexelGrid& grid);
 nlohmann::json numbers_to_json(const std::map<std::string, double>& numbers);
@@ -74,6 +77,22 @@ class FactReader {
 
     /// An object of numbers, infinite ones as the word "inf".
     std::map<std::string, double> numbers(const char* key) const;
+
+    /// A fact that must be there.
+    template <class T>
+    T required(const std::optional<T>& fact, const char* key) const {
+        if (!fact) bad(key);
+        return fact.value_or(T{});
+    }
+
+    /// Where a map comes from: version, source_hash, argument_hash, statistics of `to`.
+    template <class Facts>
+    void origin(Facts& to) const {
+        to.version = text("version").value_or("");
+        to.source_hash = text("source_hash").value_or("");
+        to.argument_hash = text("argument_hash").value_or("");
+        to.statistics = numbers("statistics");
+    }
 
     std::nullopt_t bad(const char* key) const {
         bad_keys_.emplace_back(key);

@@ -19,8 +19,6 @@ namespace {
 constexpr std::array metric_words{"l2", "l1"};
 constexpr std::array encoding_words{"ratio", "sqrt", "radius", "normal"};
 constexpr std::array surface_words{"bilinear", "texel"};
-constexpr std::array normal_y_words{"gl", "dx"};
-constexpr std::array layout_words{"rgba", "named", "side", "pair"};
 constexpr std::array family_words{"conservative", "relaxed", "hybrid"};
 constexpr std::array relaxed_words{"strict", "top", "slope"};
 constexpr std::array lookup_words{"filtered", "cell"};
@@ -141,14 +139,11 @@ MapMetadata map_metadata_from(const std::string& text) {
     metadata.filter_delta = reader.number("filter_delta", 0, 1);
     metadata.tolerance = reader.number("tolerance", 0, 1);
     metadata.guarantee = reader.text("guarantee").value_or("");
-    metadata.version = reader.text("version").value_or("");
-    metadata.source_hash = reader.text("source_hash").value_or("");
     metadata.alpha_hash = reader.text("alpha_hash").value_or("");
-    metadata.argument_hash = reader.text("argument_hash").value_or("");
     read_wrap(reader, metadata);
     read_channels(reader, metadata);
     read_family(reader, metadata);
-    metadata.statistics = reader.numbers("statistics");
+    reader.origin(metadata);
     return metadata;
 }
 

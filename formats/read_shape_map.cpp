@@ -77,10 +77,4 @@ Result<ShapeMap> read_shape_map(const std::filesystem::path& path, std::uint64_t
     return map;
 }
 
-Result<std::string> kind_of_map(const std::filesystem::path& path, std::uint64_t max_bytes) {
-    const Result<DecodeSession> session = DecodeSession::open(path, max_bytes, 1);
-    if (!session) return tl::unexpected(session.error());
-    return shape_facts_from(session->claims().relief).kind;
-}
-
 } // namespace reliefbake

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
 
 namespace reliefbake {
 
@@ -26,9 +25,5 @@ Result<void> write_shape_map(const std::filesystem::path& path, const ShapeMap& 
 /// Reads a shape map that write_shape_map wrote as PNG, TIFF or EXR.
 /// Errors: no_input; bad_data (undecodable, no shape map, damaged or missing metadata, values that mean nothing).
 Result<ShapeMap> read_shape_map(const std::filesystem::path& path, std::uint64_t max_bytes = 0);
-
-/// "shape", "cone", ...: what a map's file says it is, from its header alone; "" where it says nothing.
-/// Errors: no_input, bad_data (undecodable).
-Result<std::string> kind_of_map(const std::filesystem::path& path, std::uint64_t max_bytes = 0);
 
 } // namespace reliefbake

@@ -13,14 +13,6 @@ namespace {
 // The words of the file format, in the order of the enumerators.
 constexpr std::array model_words{"squares", "centres", "contour"};
 constexpr std::array method_words{"exact", "danielsson"};
-constexpr std::array layout_words{"rgba", "named"};
-
-/// A fact that must be there.
-template <class T>
-T required(const std::optional<T>& fact, const char* key, ShapeFacts& facts) {
-    if (!fact) facts.bad_keys.emplace_back(key);
-    return fact.value_or(T{});
-}
 
 } // namespace
 
@@ -64,21 +56,18 @@ ShapeFacts shape_facts_from(const std::string& text) {
     constexpr double longest = 1e6; // texels, and texture widths: far beyond any image
     facts.kind = reader.text("kind").value_or("");
     ShapeMapInfo& info = facts.info;
-    info.model = required(reader.word<ShapeModel>("model", model_words), "model", facts);
+    info.model = reader.required(reader.word<ShapeModel>("model", model_words), "model");
     info.method = reader.word<DistanceMethod>("method", method_words).value_or(DistanceMethod::exact);
-    info.signed_distance = required(reader.flag("signed"), "signed", facts);
+    info.signed_distance = reader.required(reader.flag("signed"), "signed");
     info.inverted = reader.flag("inverted").value_or(false);
     if (const auto layout = reader.text("layout")) info.named = *layout == layout_words[1];
     info.scale_f = reader.number("scale_f", 0, 1).value_or(1);
     info.max_distance = reader.number("max_distance", 0, longest).value_or(0);
-    info.tau = required(reader.number("tau", 1e-12, longest), "tau", facts);
+    info.tau = reader.required(reader.number("tau", 1e-12, longest), "tau");
     info.filter_delta = reader.number("filter_delta", 0, 1).value_or(0);
     info.guarantee = reader.text("guarantee").value_or("");
-    info.version = reader.text("version").value_or("");
-    info.source_hash = reader.text("source_hash").value_or("");
-    info.argument_hash = reader.text("argument_hash").value_or("");
-    info.statistics = reader.numbers("statistics");
-    const auto wrap = required(reader.wrap("wrap"), "wrap", facts);
+    reader.origin(info);
+    const auto wrap = reader.required(reader.wrap("wrap"), "wrap");
     facts.wrap_x = wrap.first;
     facts.wrap_y = wrap.second;
     return facts;

@@ -13,19 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const azimuth_names[] = {"horizon.a0", "horizon.a1", "horizon.a2", "horizon.a3", "horizon.a4", "horizon.a5", "horizon.a6", "horizon.a7"};
-
-std::vector<std::string> named_channels(BumpKind kind) {
-    switch (kind) {
-    case BumpKind::derivative: return {"bump.du", "bump.dv", "relief.depth"};
-    case BumpKind::normal: return {"relief.nx", "relief.ny", "relief.nz", "relief.depth"};
-    case BumpKind::horizon: break;
-    }
-    std::vector<std::string> names(std::begin(azimuth_names), std::end(azimuth_names));
-    names.emplace_back("relief.depth");
-    return names;
-}
-
 std::vector<const Image<float>*> planes_of(const BumpMap& map, const BumpImage& image) {
     std::vector<const Image<float>*> planes;
     for (std::size_t c = 0; c < image.channels.size(); ++c) {
@@ -35,23 +22,15 @@ std::vector<const Image<float>*> planes_of(const BumpMap& map, const BumpImage& 
     return planes;
 }
 
-Result<void> write_image(const fs::path& path, MapFormat format, const BumpMap& map, const BumpImage& image, int threads) {
+Result<void> add_image(FileBatch& batch, const fs::path& path, MapFormat format, const BumpMap& map, const BumpImage& image, int threads) {
     const auto planes = planes_of(map, image);
     const auto attributes = metadata_attributes(format, to_json(map.info, map.grid), {"kind"});
     const Result<SharedMemory> file = encode_planes(path, format, {image.channels, planes, map.info.bits, attributes}, threads);
     if (!file) return tl::unexpected(file.error());
-    return write_file_atomically(path, file->bytes());
+    return batch.add(path, file->bytes());
 }
 
 } // namespace
-
-std::vector<BumpImage> bump_images(const BumpMapInfo& info) {
-    if (info.layout == ChannelLayout::named) return {{"", named_channels(info.kind), 0}};
-    if (info.kind == BumpKind::derivative) return {{"", {"R", "G", "B"}, 0}};
-    const std::vector<std::string> rgba{"R", "G", "B", "A"};
-    if (info.kind == BumpKind::normal) return {{"", rgba, 0}};
-    return {{"", rgba, 0}, {"_b", rgba, 4}};
-}
 
 Result<void> check_bump_format(const fs::path& path, const BumpMapInfo& info) {
     const Result<MapFormat> format = map_format_of(path);
@@ -66,11 +45,12 @@ Result<void> check_bump_format(const fs::path& path, const BumpMapInfo& info) {
 Result<void> write_bump_map(const fs::path& path, const BumpMap& map, int threads) {
     if (Result<void> checked = check_bump_format(path, map.info); !checked) return checked;
     assert(int(map.planes.size()) == bump_planes(map.info.kind) && map.depth.empty() != holds_depth(map.info));
+    FileBatch batch;
     for (const BumpImage& image : bump_images(map.info)) {
         const fs::path file = path.parent_path() / (path.stem().string() + image.suffix + path.extension().string());
-        if (Result<void> written = write_image(file, *map_format_of(path), map, image, threads); !written) return written;
+        if (Result<void> added = add_image(batch, file, *map_format_of(path), map, image, threads); !added) return added;
     }
-    return {};
+    return batch.publish();
 }
 
 } // namespace reliefbake

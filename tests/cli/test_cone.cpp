@@ -111,9 +111,19 @@ TEST_CASE("Lost cones are counted, and the warning names an encoding that loses 
         "cone " + height_map("ambientcg_RoofingTiles009_512.png") + " -o lost.png --bits 8";
     const Outcome lost = run_tool(bake + " --encoding ratio --cone-max 8");
     CHECK(lost.status == 0);
-    CHECK(lost.err.find("warning: lost.png") != std::string::npos);
+    CHECK(lost.err.find("reliefbake cone: warning: lost.png") == 0);
     CHECK(lost.err.find("--encoding sqrt loses 0") != std::string::npos);
     CHECK(run_tool(bake + " --encoding sqrt").err == "");
+}
+
+TEST_CASE("A warning begins with the command whose map it is about, in --also as well") {
+    const std::string roof = height_map("ambientcg_RoofingTiles009_512.png"), lossy = " --bits 8 --encoding ratio --cone-max 8";
+    const Outcome both = run_tool("acm " + roof + " -o acm.png --relief acm_cone.png" + lossy + " --quiet --also 'cone-stack --levels 2 -o stack.png --relief stack_cone.png" + lossy + "'");
+    INFO(both.err);
+    CHECK(both.status == 0);
+    CHECK(both.err.find("reliefbake acm: warning: acm.png") != std::string::npos);
+    CHECK(both.err.find("reliefbake cone-stack: warning: stack.png") != std::string::npos);
+    CHECK(both.err.find("reliefbake cone:") == std::string::npos);
 }
 
 TEST_CASE("Unbounded cones are taken where a code for them exists") {

@@ -3,7 +3,7 @@
 #include "formats/bump_file.h"
 #include "formats/bump_json.h"
 #include "formats/map_file.h"
-#include "formats/shape_file.h"
+#include "formats/map_kind.h"
 #include "tests/support/fields.h"
 #include "tests/unit/formats/temporary_folder.h"
 
@@ -86,6 +86,22 @@ TEST_CASE("What a format or layout cannot hold is refused before the bake") {
     info.layout = ChannelLayout::pair;
     CHECK(check_bump_format("map.png", info));
     CHECK(check_bump_format("map.tga", {BumpKind::normal, BitDepth::unorm8}));
+}
+
+TEST_CASE("Both files of a pair appear, or none") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.png";
+    BumpMapInfo info;
+    info.kind = BumpKind::horizon, info.layout = ChannelLayout::pair;
+    std::filesystem::create_directory(folder.path() / "a_b.png"); // where no file can be
+    const Result<void> written = write_bump_map(path, baked(info));
+    REQUIRE_FALSE(written);
+    CHECK(written.error().code == ErrorCode::cannot_create);
+    CHECK_FALSE(std::filesystem::exists(path));
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1); // no temporary either
+    std::filesystem::remove(folder.path() / "a_b.png");
+    CHECK(write_bump_map(path, baked(info)));
+    CHECK(std::filesystem::exists(folder.path() / "a_b.png"));
 }
 
 TEST_CASE("Halves that do not belong together are refused") {

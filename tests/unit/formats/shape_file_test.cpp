@@ -1,3 +1,4 @@
+#include "formats/map_kind.h"
 #include "formats/shape_file.h"
 
 #include "formats/map_file.h"
