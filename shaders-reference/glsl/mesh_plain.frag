@@ -1,4 +1,4 @@
-// A mesh as it is, in clay.
+// A mesh as it is, in clay; its front faces alone.
 
 uniform vec3 scene_sun; // unit vector towards the light
 
@@ -14,6 +14,7 @@ const vec3 BOUNCE_COLOUR = vec3(0.26, 0.18, 0.12);
 const vec3 CLAY = vec3(0.62, 0.44, 0.31);
 
 void main() {
+    if (!gl_FrontFacing) discard;
     vec3 normal = normalize(mesh_normal);
     vec3 ambient = mix(BOUNCE_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.z);
     vec3 x = 0.62 * CLAY * (SUN_COLOUR * max(dot(normal, scene_sun), 0.0) + ambient);

@@ -38,7 +38,7 @@ class PlainMeshRenderer {
     PlainMeshRenderer& operator=(PlainMeshRenderer&&) noexcept;
     ~PlainMeshRenderer();
 
-    /// Both sides of triangles are drawn. Deterministic on one machine; of the triangles no more than a batch is held. Errors: the
+    /// Draws front faces. Deterministic on one machine; of the triangles no more than a batch is held. Errors: the
     /// source's; (usage): a picture larger than the driver allows.
     Result<PlainMeshRendering> render(const PlainMeshOptions& options, const TriangleSource& triangles);
 
