@@ -15,7 +15,7 @@ CurvedHit curved_extrusion(CurvedRay ray) {
     CurvedHit hit = curved_start();
     for (int i = 0; i < solid_steps; ++i) {
         CurvedPlace place = curved_place(ray, hit.t);
-        if (place.depth < 0.0 && i > 0) {
+        if (i > 0 && curved_is_out(ray, place)) {
             hit.status = CURVED_LEFT;
             return hit;
         }

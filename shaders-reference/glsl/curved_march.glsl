@@ -39,7 +39,7 @@ CurvedHit curved_march(CurvedRay ray) {
     CurvedHit hit = curved_start();
     for (int i = 0; i < relief_max_steps; ++i) {
         CurvedPlace place = curved_place(ray, hit.t);
-        if (place.depth < 0.0 && i > 0) {
+        if (i > 0 && curved_is_out(ray, place)) {
             hit.status = CURVED_LEFT;
             return hit;
         }
@@ -70,8 +70,8 @@ CurvedHit curved_march(CurvedRay ray) {
         CurvedPlace place = curved_place(ray, hit.t);
         hit.gap = relief_depth(textureLod(relief_map, place.uv, 0.0)) - place.depth;
         hit.fetches += 1;
-        if (place.depth < 0.0) hit.status = CURVED_LEFT;
         if (hit.gap <= 0.0) hit.status = CURVED_HIT;
+        if (curved_is_out(ray, place)) hit.status = CURVED_LEFT;
     }
     if (hit.status == CURVED_HIT && hit.gap < 0.0 && hit.t > 0.0) return curved_halve(ray, above, hit);
     return hit;
@@ -100,7 +100,9 @@ CurvedHit curved_search(CurvedRay ray) {
         above = hit.t;
     }
     // At the floor rounding may leave a last gap.
-    if (hit.status != CURVED_HIT) hit.status = curved_place(ray, end).depth > 0.5 ? CURVED_HIT : CURVED_LEFT;
+    CurvedPlace last = curved_place(ray, hit.t);
+    if (hit.status != CURVED_HIT && last.depth > 0.5) hit.status = CURVED_HIT;
+    if (hit.status != CURVED_HIT || (hit.t > 0.0 && curved_is_out(ray, last))) hit.status = CURVED_LEFT;
     if (hit.status == CURVED_HIT && hit.t > 0.0) return curved_halve(ray, above, hit);
     return hit;
 }

@@ -11,6 +11,7 @@ struct CurvedRay {
     vec3 sight;    // unit, in the tangent frame; z < 0 goes in
     vec3 quadric;  // a, b, c
     mat2 chart;    // uv per (x, y)
+    vec4 ends;     // least u, v and greatest u, v of the map on this mesh: where it ends with the mesh, so does the relief
 };
 
 struct CurvedPlace {
@@ -23,7 +24,7 @@ struct CurvedPlace {
 
 const int CURVED_HIT = 1;
 const int CURVED_OUT_OF_STEPS = 2;
-const int CURVED_LEFT = 3; // came out of the relief: beyond the silhouette
+const int CURVED_LEFT = 3; // came out of the relief, beyond the silhouette or an end
 
 struct CurvedHit {
     float t;     // way gone
@@ -41,6 +42,10 @@ CurvedHit curved_start() {
     hit.fetches = 0;
     hit.status = CURVED_OUT_OF_STEPS;
     return hit;
+}
+
+bool curved_is_out(CurvedRay ray, CurvedPlace place) {
+    return place.depth < 0.0 || any(lessThan(place.uv, ray.ends.xy)) || any(greaterThan(place.uv, ray.ends.zw));
 }
 
 // Half of how fast the way turns into the relief; < 0: out of it, over a surface that bulges.

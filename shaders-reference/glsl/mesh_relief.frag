@@ -12,6 +12,7 @@ uniform vec2 camera_range;     // near, far
 uniform vec3 scene_sun;        // unit vector towards the light
 uniform vec2 mesh_tiles;       // repeats of the map over one unit of texture coordinates
 uniform vec2 mesh_repeat;      // per axis: 1 the map repeats, 0 clamps
+uniform vec2 mesh_ends;        // per axis: 1 where the map ends with the mesh, at texture coordinates 0 and 1
 uniform float mesh_depth_scale; // depth of the relief, in the mesh's unit
 uniform float mesh_normal_scale; // depth of the relief that the map's normals were baked for, texture widths (MESH_SOLID 0)
 uniform float mesh_aspect;     // height / width of the map
@@ -68,7 +69,11 @@ void main() {
 
     CurvedRay ray;
     vec2 uv = mesh_uv * mesh_tiles;
-    ray.origin = uv - floor(uv) * mesh_repeat;
+    vec2 tile = floor(uv) * mesh_repeat; // kept apart, so that uv keeps its precision
+    ray.origin = uv - tile;
+    ray.ends = vec4(-tile, mesh_tiles - tile);
+    if (mesh_ends.x == 0.0) ray.ends.xz = vec2(-1e30, 1e30);
+    if (mesh_ends.y == 0.0) ray.ends.yw = vec2(-1e30, 1e30);
     ray.sight = vec3(dot(view, tangent), dot(view, bitangent), dot(view, up));
     ray.quadric = mesh_depth_scale * mesh_quadric;
 #if !MESH_TWIST

@@ -30,6 +30,7 @@ struct Object {
     GLsizei vertices = 0;
     bool quadrics = false;
     MeshRelief relief;
+    bool ends_u = false, ends_v = false;
 };
 
 Object upload(const GlFunctions& gl, const std::vector<MeshVertex>& vertices) {
@@ -183,6 +184,7 @@ Result<void> MeshRenderer::set_objects(const std::vector<MeshObject>& objects) {
             return fail(ErrorCode::usage, "the mesh has more triangles than the renderer takes");
         uploaded.push_back(upload(state_->screen.gl(), *vertices));
         uploaded.back().relief = object.relief;
+        uploaded.back().ends_u = object.ends_u, uploaded.back().ends_v = object.ends_v;
         uploaded.back().quadrics = !object.mesh->quadrics.empty();
     }
     state_->objects = std::move(uploaded);
@@ -215,6 +217,7 @@ Result<MeshRendering> MeshRenderer::render(const MeshRenderOptions& options) {
     for (const Object& object : state.objects) {
         uniforms.set("mesh_depth_scale", float(object.relief.depth_scale));
         uniforms.set("mesh_tiles", float(object.relief.tiles_u), float(object.relief.tiles_v));
+        uniforms.set("mesh_ends", float(object.ends_u), float(object.ends_v));
         gl.BindVertexArray(object.layout.name());
         gl.DrawArrays(GL_TRIANGLES, 0, object.vertices);
     }

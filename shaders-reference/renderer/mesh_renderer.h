@@ -27,6 +27,7 @@ enum class Correction {
 struct MeshObject {
     const Mesh* mesh = nullptr; ///< with unit normals, tangents and texture coordinates; with quadrics but for Correction::none
     MeshRelief relief;
+    bool ends_u = false, ends_v = false; ///< the relief ends where the texture coordinate is 0 and 1, as the mesh does there (--ends)
 };
 
 struct MeshRenderOptions {
