@@ -4,7 +4,9 @@
 #include "cli/map_hint_options.h"
 #include "formats/bump_file.h"
 #include "formats/map_kind.h"
+#include "formats/shape_file.h"
 #include "shaders-reference/renderer/bump_export.h"
+#include "shaders-reference/renderer/shape_export.h"
 
 #include <cstdio>
 
@@ -31,6 +33,13 @@ Result<void> ShaderCommand::run() {
         const Result<BumpMap> bump = read_bump_map(options_.file, options_.hints.max_bytes);
         if (!bump) return tl::unexpected(bump.error());
         std::fputs(export_bump_shader(*bump, options_.language).c_str(), stdout);
+        return {};
+    }
+    if (*kind == "shape") {
+        if (Result<void> checked = refuse_hints(options_.hints, options_.file, *kind); !checked) return checked;
+        const Result<ShapeMap> shape = read_shape_map(options_.file, options_.hints.max_bytes);
+        if (!shape) return tl::unexpected(shape.error());
+        std::fputs(export_shape_shader(*shape, options_.language).c_str(), stdout);
         return {};
     }
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);

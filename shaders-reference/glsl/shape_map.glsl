@@ -12,12 +12,13 @@ uniform float shape_delta;   // how far a sampler with 8-bit weights may misplac
 
 // Filtered distance to the shape: exact at texel centres, up to 0.7 texel off between them.
 float shape_distance(vec4 texel) {
+    float code = texel.b;
 #if SHAPE_SIGNED
 #if SHAPE_UNORM
-    return shape_tau * (2.0 * texel.b - 1.0);
+    code = 2.0 * code - 1.0;
 #endif
 #endif
-    return shape_tau * texel.b;
+    return shape_tau * code;
 }
 
 // How far one may go without entering the shape (guarantee S): a distance averaged over four texels is at most sqrt(d^2 + 1/2 texel^2).
@@ -33,5 +34,5 @@ vec2 shape_gradient(vec4 texel) {
     g = 2.0 * g - 1.0;
 #endif
     float size = length(g);
-    return size > 0.05 ? g / size : vec2(0.0);
+    return size > 0.05 ? g / size : vec2(0.0, 0.0);
 }

@@ -73,12 +73,7 @@ std::string export_bump_shader(const BumpMap& map, ShaderLanguage language) {
     for (const std::string_view file : files_of(map.info.kind)) body.append(body.empty() ? "" : "\n").append(specialise(shader_text(file), constants));
     body += entry_point(map.info.kind, language == ShaderLanguage::hlsl);
     body = fix_uniforms(body, values_of(map));
-    switch (language) {
-    case ShaderLanguage::glsl: return std::string(shader_text("prelude_330.glsl")) + file_comment(map) + body;
-    case ShaderLanguage::glsl_es: return std::string(shader_text("prelude_300es.glsl")) + file_comment(map) + body;
-    case ShaderLanguage::hlsl: return file_comment(map) + to_hlsl(body, map.grid);
-    }
-    return {};
+    return in_language(language, file_comment(map), body, map.grid);
 }
 
 } // namespace reliefbake

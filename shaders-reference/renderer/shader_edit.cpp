@@ -119,7 +119,7 @@ std::string fix_uniforms(const std::string& text, const UniformValues& values) {
 
 std::string to_hlsl(std::string text, const TexelGrid& grid) {
     // Samplers and reads.
-    for (const std::string name : {"relief_map", "relief_cones_0", "relief_cones_1", "bump_map", "horizon_map_0", "horizon_map_1"}) {
+    for (const std::string name : {"relief_map", "relief_cones_0", "relief_cones_1", "bump_map", "horizon_map_0", "horizon_map_1", "shape_map"}) {
         const auto replace = [&text](const std::string& from, const std::string& to) {
             for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
         };

@@ -72,6 +72,15 @@ std::string entry_point(const ReliefMap& map, std::string_view march, bool hlsl)
 
 } // namespace
 
+std::string in_language(ShaderLanguage language, const std::string& comment, const std::string& body, const TexelGrid& grid) {
+    switch (language) {
+    case ShaderLanguage::glsl: return std::string(shader_text("prelude_330.glsl")) + comment + body;
+    case ShaderLanguage::glsl_es: return std::string(shader_text("prelude_300es.glsl")) + comment + body;
+    case ShaderLanguage::hlsl: return comment + to_hlsl(body, grid);
+    }
+    return {};
+}
+
 Result<std::string> export_shader(const ReliefMap& map, ShaderLanguage language) {
     if (!has_cones(map)) return fail(ErrorCode::usage, std::string("the map has no cones: there is no march for it"));
     if (map.depth.empty()) return fail(ErrorCode::usage, std::string("the map has no depth channel"));
@@ -86,12 +95,7 @@ Result<std::string> export_shader(const ReliefMap& map, ShaderLanguage language)
     for (const std::string_view file : technique.files) body.append("\n").append(specialise(shader_text(file), constants));
     body += entry_point(map, technique.function, language == ShaderLanguage::hlsl);
     body = fix_uniforms(body, constants_of(map, technique.default_steps));
-    switch (language) {
-    case ShaderLanguage::glsl: return std::string(shader_text("prelude_330.glsl")) + file_comment(map) + body;
-    case ShaderLanguage::glsl_es: return std::string(shader_text("prelude_300es.glsl")) + file_comment(map) + body;
-    case ShaderLanguage::hlsl: return file_comment(map) + to_hlsl(body, map.grid);
-    }
-    return {};
+    return in_language(language, file_comment(map), body, map.grid);
 }
 
 } // namespace reliefbake

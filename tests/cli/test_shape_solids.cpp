@@ -86,3 +86,19 @@ TEST_CASE("render draws every kind of solid and refuses what does not fit it") {
         CHECK(!outcome.err.empty());
     }
 }
+
+TEST_CASE("shader prints a shape map's decoder in every language, with the constants that explain prints") {
+    write_ring("ring.pgm");
+    require_run("shape ring.pgm --quiet -o s.exr --signed --bits float");
+    const json map = json::parse(run_tool("explain --json s.exr").out);
+    for (const std::string language : {"glsl", "glsl-es", "hlsl"}) {
+        const Outcome shader = run_tool("shader --for s.exr --language " + language);
+        INFO(language << shader.err);
+        CHECK(shader.status == 0);
+        const std::size_t tau = shader.out.find("shape_tau = ");
+        REQUIRE(tau != std::string::npos);
+        CHECK(std::stod(shader.out.substr(tau + 12)) == Approx(map["tau"].get<double>()).epsilon(1e-6));
+        CHECK(shader.out.find("circle_trace(ray") != std::string::npos);
+    }
+    CHECK(run_tool("shader --for s.exr --wrap repeat").status == 2);
+}

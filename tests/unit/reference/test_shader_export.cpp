@@ -1,5 +1,6 @@
 #include "shaders-reference/renderer/bump_export.h"
 #include "shaders-reference/renderer/shader_export.h"
+#include "shaders-reference/renderer/shape_export.h"
 #include "tests/support/fields.h"
 #include "tests/support/slow_cones.h"
 
@@ -75,6 +76,18 @@ std::vector<BumpMap> bump_maps_of_all_kinds() {
     return maps;
 }
 
+/// Every bit depth, signed or not.
+std::vector<ShapeMap> shape_maps_of_all_kinds() {
+    std::vector<ShapeMap> maps;
+    for (const BitDepth bits : {BitDepth::unorm8, BitDepth::unorm16, BitDepth::half, BitDepth::float32})
+        for (const bool with_sign : {false, true}) {
+            ShapeMapInfo info;
+            info.bits = bits, info.signed_distance = with_sign, info.tau = 0.375, info.filter_delta = 0.001, info.guarantee = "S";
+            maps.push_back({info, oblong, {}, {}, {}, {}});
+        }
+    return maps;
+}
+
 } // namespace
 
 TEST_CASE("the shader of every kind of map compiles alone, in every language", "[shaders][export]") {
@@ -95,6 +108,12 @@ TEST_CASE("the shader of every kind of map compiles alone, in every language", "
         for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::glsl_es, ShaderLanguage::hlsl}) {
             const auto path = folder / (std::to_string(number++) + ".frag");
             std::ofstream(path) << export_bump_shader(map, language);
+            files[int(language)].append(" ").append(path.string());
+        }
+    for (const ShapeMap& map : shape_maps_of_all_kinds())
+        for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::glsl_es, ShaderLanguage::hlsl}) {
+            const auto path = folder / (std::to_string(number++) + ".frag");
+            std::ofstream(path) << export_shape_shader(map, language);
             files[int(language)].append(" ").append(path.string());
         }
     const auto log = folder / "log.txt";
@@ -149,4 +168,22 @@ TEST_CASE("what a bump map's shader prints is what the map says", "[export]") {
     CHECK_FALSE(has("uniform float"));
     info.kind = BumpKind::horizon;
     CHECK(export_bump_shader({info, oblong, {}, {}}, ShaderLanguage::hlsl).find("atan2(") != std::string::npos);
+}
+
+TEST_CASE("what a shape map's shader prints is what the map says", "[export]") {
+    const ShapeMap map = shape_maps_of_all_kinds()[1]; // 8 bits, signed
+    const std::string glsl = export_shape_shader(map, ShaderLanguage::glsl);
+    const auto has = [&glsl](const char* text) { return glsl.find(text) != glsl.npos; };
+    CHECK(has("const float shape_tau = 0.375;"));
+    CHECK(has("const float shape_aspect = 0.9375;"));
+    CHECK(has("const float shape_delta = 0.001;"));
+    CHECK(has("code = 2.0 * code - 1.0;"));
+    CHECK(has("guarantee S"));
+    CHECK(has("const int solid_steps = 25;"));
+    CHECK_FALSE(has("#if"));
+    CHECK_FALSE(has("uniform float"));
+    CHECK_FALSE(has("SHAPE_UNORM"));
+    CHECK(export_shape_shader(map, ShaderLanguage::hlsl).find("shape_map.SampleLevel(shape_map_sampler, ") != std::string::npos);
+    const std::string plain = export_shape_shader(shape_maps_of_all_kinds()[6], ShaderLanguage::glsl); // float, without sign
+    CHECK(plain.find("2.0 * ") == std::string::npos);
 }
