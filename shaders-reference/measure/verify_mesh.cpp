@@ -1,6 +1,9 @@
 #include "shaders-reference/measure/verify_mesh.h"
 
+#include "shaders-reference/renderer/resolve.h"
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -47,7 +50,32 @@ nlohmann::json numbers_of(const MeshComparison& c) {
             {"steps_max", c.steps_max}};
 }
 
+/// Clay as in glsl/mesh_plain.frag.
+Quad clay(const Imath::V3f& normal, const Vec3& light) {
+    constexpr float sun_colour[] = {2.75f, 2.3f, 1.75f}, sky[] = {0.34f, 0.46f, 0.68f}, bounce[] = {0.26f, 0.18f, 0.12f}, base[] = {0.62f, 0.44f, 0.31f};
+    const float lit = std::max(0.0f, float(normal.x * light[0] + normal.y * light[1] + normal.z * light[2])), up = 0.5f + 0.5f * normal.z;
+    Quad colour{0, 0, 0, 1};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float x = 0.62f * base[k] * (sun_colour[k] * lit + bounce[k] + (sky[k] - bounce[k]) * up);
+        colour[k] = std::clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
+    }
+    return colour;
+}
+
 } // namespace
+
+MeshShader marching_shader(const Mesh& mesh, const BilinearSurface& relief, const MeshRelief& how, const QuadricMarchOptions& options) {
+    return [&](const View& view, const Camera& camera) -> Result<MeshFrame> {
+        const auto start = std::chrono::steady_clock::now();
+        QuadricMarch march = march_quadrics(mesh, relief, how, camera, options);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        Image<Quad> linear(options.width, options.height, Quad{});
+        const Vec3 light = sun_direction(sun, view);
+        for (std::size_t k = 0; k < linear.size(); ++k)
+            if (std::isfinite(march.distance[k])) linear[k] = clay(march.normal[k], light);
+        return MeshFrame{std::move(march.distance), Image<float>(options.width, options.height, 0), resolve_picture(linear, 1), seconds};
+    };
+}
 
 Ball ball_around(const Mesh& mesh) {
     V3d low(std::numeric_limits<double>::infinity()), high(-std::numeric_limits<double>::infinity());

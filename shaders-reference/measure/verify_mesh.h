@@ -2,6 +2,7 @@
 // The whole judgement of curved relief on one mesh: views of the shader's frames beside the mesh really displaced.
 
 #include "shaders-reference/measure/compare_mesh.h"
+#include "shaders-reference/oracle/quadric_march.h"
 #include "shaders-reference/renderer/plain_mesh.h"
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,9 @@ struct MeshFrame {
     double seconds = 0;    ///< drawing
 };
 using MeshShader = std::function<Result<MeshFrame>(const View& view, const Camera& camera)>;
+
+/// The march without limits (oracle/quadric_march.h) as a shader. Mesh, relief and options outlive the result.
+MeshShader marching_shader(const Mesh& mesh, const BilinearSurface& relief, const MeshRelief& how, const QuadricMarchOptions& options);
 
 struct MeshVerifyOptions {
     RendererBackend backend = RendererBackend::osmesa; ///< (--renderer)
