@@ -29,6 +29,26 @@ double require_number(const std::string& flag, const std::string& text, const Nu
     throw CLI::ValidationError(flag, std::string("expected ") + rule.expected + ", found '" + text + "'");
 }
 
+std::pair<int, int> require_size(const std::string& flag, const std::string& text) {
+    constexpr int most_pixels = 16384; // a side
+    const char* end = text.data() + text.size();
+    std::pair<int, int> size;
+    const auto width = std::from_chars(text.data(), end, size.first);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.second);
+        const auto fits = [](int side) { return side >= 1 && side <= most_pixels; };
+        if (height.ec == std::errc() && height.ptr == end && fits(size.first) && fits(size.second)) return size;
+    }
+    throw CLI::ValidationError(flag, "expected WIDTHxHEIGHT, such as 1024x768, found '" + text + "'");
+}
+
+std::pair<double, double> require_repeats(const std::string& flag, const std::string& text) {
+    static const NumberRule repeats_number = {[](double x) { return x > 0 && x <= 1e4; }, "a number above 0, up to 1e4"};
+    const std::size_t comma = text.find(',');
+    const double along_u = require_number(flag, text.substr(0, comma), repeats_number);
+    return {along_u, comma == text.npos ? along_u : require_number(flag, text.substr(comma + 1), repeats_number)};
+}
+
 void add_byte_budget(CLI::App& app, std::uint64_t& bytes) {
     app.add_option("--max-bytes", bytes,
                    "Budget for the decoded image, e.g. 4GB (default, or 0: 1 GiB, and 1000 times the file's "

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace reliefbake {
 
@@ -30,6 +31,12 @@ std::optional<double> parse_number(const std::string& text);
 /// Parses `text` under a rule. Throws CLI::ValidationError that names `flag`, what was expected and what was
 /// found.
 double require_number(const std::string& flag, const std::string& text, const NumberRule& rule);
+
+/// "WIDTHxHEIGHT" in pixels, likewise.
+std::pair<int, int> require_size(const std::string& flag, const std::string& text);
+
+/// "N" or "N,M": repeats along u and v, likewise.
+std::pair<double, double> require_repeats(const std::string& flag, const std::string& text);
 
 /// Adds an option that takes one number. `target`: a float, a double or an optional of these.
 template <class Target>

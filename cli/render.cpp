@@ -10,30 +10,16 @@
 #include "shaders-reference/measure/heat_map.h"
 #include "shaders-reference/measure/stored_depth.h"
 
-#include <charconv>
 #include <filesystem>
+#include <tuple>
 
 namespace reliefbake {
 
 namespace {
 
-constexpr int most_pixels = 16384; ///< a side
-
 const NumberRule view_angle = {[](double x) { return x >= 0 && x <= 180; }, "degrees from 0 to 180"};
 const NumberRule any_angle = {[](double x) { return x >= -360 && x <= 360; }, "degrees from -360 to 360"};
 const NumberRule elevation = {[](double x) { return x > 0 && x <= 90; }, "degrees above 0, up to 90"};
-
-/// "WIDTHxHEIGHT" in pixels.
-void parse_size(const std::string& text, RenderOptions& picture) {
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, picture.width);
-    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, picture.height);
-        const auto fits = [](int side) { return side >= 1 && side <= most_pixels; };
-        if (height.ec == std::errc() && height.ptr == end && fits(picture.width) && fits(picture.height)) return;
-    }
-    throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, such as 1024x768, found '" + text + "'");
-}
 
 /// --shadow, or --shadow WORD.
 void add_shadow(CLI::App& app, Shadow& shadow) {
@@ -68,7 +54,7 @@ void add_view_options(CLI::App& app, RenderOptions& picture) {
     app.add_option("--tiles", picture.tiles, "Repeats of the map per axis (default 1)")->check(CLI::Range(1, 1000));
     app.add_flag("--endless", picture.endless, "A plane without border (repeated maps)");
     app.add_option_function<std::string>(
-           "--size", [&picture](const std::string& text) { parse_size(text, picture); },
+           "--size", [&picture](const std::string& text) { std::tie(picture.width, picture.height) = require_size("--size", text); },
            "Picture in pixels (default 1024x768)")
         ->type_name("WxH");
     app.add_option("--supersample", picture.supersample, "Rays per pixel and axis (default 1)")->check(CLI::Range(1, 8));

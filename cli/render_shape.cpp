@@ -14,14 +14,6 @@ namespace reliefbake {
 namespace {
 
 const Words<Projection> projection_words = {{"cylindrical", Projection::cylindrical}, {"spherical", Projection::spherical}};
-const NumberRule repeats_number = {[](double x) { return x > 0 && x <= 1e4; }, "a number above 0, up to 1e4"};
-
-/// "N" or "N,M".
-std::pair<double, double> parse_tiles(const std::string& given) {
-    const std::size_t comma = given.find(',');
-    const double along_u = require_number("--texture-tiles", given.substr(0, comma), repeats_number);
-    return {along_u, comma == given.npos ? along_u : require_number("--texture-tiles", given.substr(comma + 1), repeats_number)};
-}
 
 double linear_light(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
@@ -113,7 +105,7 @@ void add_render_shape_options(CLI::App& app, RenderShapeOptions& options) {
     app.add_option("--bump", options.bump, "Derivatives of a height map, for bumps (reliefbake bump)")->type_name("FILE");
     add_number(app, "--bump-scale", options.bump_scale, finite_number, "Depth of the bumps, texture widths (default 1)");
     app.add_option_function<std::string>(
-           "--texture-tiles", [&options](const std::string& given) { options.texture_tiles = parse_tiles(given); },
+           "--texture-tiles", [&options](const std::string& given) { options.texture_tiles = require_repeats("--texture-tiles", given); },
            "Repeats of the textures over the solid (default 1)")
         ->type_name("N[,M]");
 }

@@ -75,6 +75,7 @@ void VerifyCommand::add_to(CLI::App& app) {
     app.option_defaults()->group("Map");
     add_map_hints(app, options_.hints);
     add_solid_options(app, options_.solid);
+    add_mesh_options(app, options_.mesh);
 }
 
 Result<void> VerifyCommand::run_shape() const {
@@ -93,6 +94,15 @@ Result<void> VerifyCommand::run_shape() const {
     options.binary_steps = options_.technique.binary_steps.value_or(options.binary_steps);
     options.threads = *threads;
     return verify_shape_file({options_.file, options_.hints.max_bytes}, options_.solid, options, options_.json, options_.pictures);
+}
+
+/// Curved relief: the mesh is the judge, not the oracle of planes.
+Result<void> VerifyCommand::run_mesh(const std::string& kind, int threads) const {
+    if (kind == "shape" || bump_kind_of(kind)) return fail(ErrorCode::usage, "--mesh: " + options_.file + " is a map of kind " + kind + ", which holds no relief");
+    const Result<void> fits = refuse_given(*app_, "", {"--source", "--rays", "--points", "--seed", "--crop", "--technique", "--exact-finish", "--steps", "--binary-steps",
+                                                       "--filter", "--e", "--b", "--c", "--axis", "--scheme"}, "says nothing to a judgement on a mesh (--mesh)");
+    if (!fits) return fits;
+    return verify_on_mesh(options_.file, options_.hints, options_.mesh, options_.solid.depth_scale, options_.verify.backend, threads, options_.json, options_.pictures);
 }
 
 Result<DepthMap> VerifyCommand::read_source(const ReliefMap& map) const {
@@ -134,9 +144,12 @@ Result<void> VerifyCommand::run_bump(const std::string& kind) const {
 Result<void> VerifyCommand::run() {
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
-    if (*kind != "shape")
+    const bool on_mesh = !options_.mesh.mesh.empty();
+    if (!on_mesh)
+        if (Result<void> fits = refuse_given(*app_, mesh_group, {}, "needs --mesh"); !fits) return fits;
+    if (*kind != "shape" && !on_mesh)
         if (Result<void> fits = refuse_given(*app_, solid_group, {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
-    if (bump_kind_of(*kind)) return run_bump(*kind);
+    if (bump_kind_of(*kind) && !on_mesh) return run_bump(*kind);
     VerifyOptions options = options_.verify;
     const Result<int> threads = resolve_threads(options.threads);
     if (!threads) return tl::unexpected(threads.error());
@@ -148,6 +161,7 @@ Result<void> VerifyCommand::run() {
         if (!std::filesystem::is_directory(options_.pictures, ignored))
             return fail(ErrorCode::cannot_create, options_.pictures + ": cannot create this folder");
     }
+    if (on_mesh) return run_mesh(*kind, *threads);
     if (*kind == "shape") return run_shape();
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());

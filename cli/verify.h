@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/solid_options.h"
 #include "cli/technique_options.h"
+#include "cli/verify_mesh.h"
 #include "formats/map_file.h"
 #include "formats/read_image.h"
 #include "shaders-reference/measure/verify.h"
@@ -20,6 +21,7 @@ class VerifyCommand : public Command {
   private:
     Result<void> run_bump(const std::string& kind) const;
     Result<void> run_shape() const;
+    Result<void> run_mesh(const std::string& kind, int threads) const;
     Result<DepthMap> read_source(const ReliefMap& map) const;
 
     struct Options {
@@ -33,6 +35,7 @@ class VerifyCommand : public Command {
         TechniqueOptions technique;
         bool json = false;
         SolidOptions solid;
+        VerifyMeshOptions mesh;
     } options_;
     const CLI::App* app_ = nullptr; ///< knows which options were given
 };

@@ -57,4 +57,17 @@ std::string verify_text(const ShapeVerifyReport& report) {
     return text + "verdict: " + to_string(report.verdict) + "\n";
 }
 
+std::string verify_text(const MeshVerifyReport& report) {
+    std::string text = "view               truth  IoU      band     cut IoU  holes    wrong   depth: mean    99 %     max   steps\n";
+    const auto count = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
+    const auto line = [&](const std::string& label, const MeshComparison& c) {
+        text += format("%-12s %10llu  %.4f  %.4f  %.4f %8llu %8llu %10.4f %9.4f %7.3f %7.1f\n", label.c_str(), count(c.truth), c.iou(), c.band_agreement(), c.cut_iou(),
+                       count(c.holes), count(c.wrong_cover), c.depth_mean, c.depth_99, c.depth_max, c.steps_mean);
+        if (c.not_finite > 0) text += format("  %llu pixels are not finite\n", count(c.not_finite));
+    };
+    for (const MeshViewReport& view : report.views) line(format("%2.0f deg @ %3.0f", view.view.angle, view.view.azimuth), view.comparison);
+    line("all", report.total);
+    return text + format("depths in units of the depth scale, %g of the mesh's; pixels in the band: %llu\n", report.depth_scale, count(report.total.band));
+}
+
 } // namespace reliefbake

@@ -13,7 +13,7 @@ namespace {
 
 using Imath::V3d;
 
-constexpr Sun sun{-40, 35};
+constexpr Sun sun{-130, 35}; // from behind the viewer's left shoulder
 
 RgbImage difference_picture(const MeshPlanes& planes, double depth_scale) {
     using Rgb = std::array<std::uint8_t, 3>;

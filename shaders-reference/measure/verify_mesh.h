@@ -29,7 +29,7 @@ MeshShader marching_shader(const Mesh& mesh, const BilinearSurface& relief, cons
 struct MeshVerifyOptions {
     RendererBackend backend = RendererBackend::osmesa; ///< (--renderer)
     int width = 1024, height = 768; ///< pixels of each view (--size)
-    std::vector<View> views{{90, 20, 30, 0}, {75, 140, 30, 0}, {60, 260, 30, 0}}; ///< angle from the z axis, azimuth, field; the mesh fills the picture
+    std::vector<View> views{{90, 20, 30, 0}, {75, 140, 30, 0}, {60, 260, 30, 0}}; ///< angle from the z axis, azimuth, field; the mesh fills the picture (--mesh-view)
     bool pictures = false; ///< keep pictures of every view (--pictures)
 };
 

@@ -1,0 +1,123 @@
+#include "cli/verify_mesh.h"
+
+#include "cli/choices.h"
+#include "cli/number_options.h"
+#include "cli/verify_text.h"
+#include "formats/mesh_file.h"
+#include "formats/write_image.h"
+#include "shaders-reference/measure/stored_depth.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <tuple>
+
+namespace reliefbake {
+
+namespace {
+
+const Words<BendModel> bend_words = {{"flat", BendModel::flat}, {"ab", BendModel::ab}, {"abc", BendModel::abc}, {"circle", BendModel::circle}};
+const Words<std::string> ends_words = {{"u", "u"}, {"v", "v"}, {"uv", "uv"}};
+
+/// FOLDER/mesh-ANGLE-AZIMUTH-{rendering,truth,difference}.png
+Result<void> write_pictures(const std::string& folder, const MeshVerifyReport& report) {
+    for (const MeshViewReport& view : report.views) {
+        char stem[64];
+        std::snprintf(stem, sizeof stem, "mesh-%02.0f-%03.0f-", view.view.angle, view.view.azimuth);
+        const std::pair<const char*, const RgbImage&> pictures[] = {{"rendering", view.pictures->rendering},
+                                                                    {"truth", view.pictures->truth},
+                                                                    {"difference", view.pictures->difference}};
+        for (const auto& [name, picture] : pictures) {
+            const std::filesystem::path path = std::filesystem::path(folder) / (std::string(stem) + name + ".png");
+            Result<void> written = write_png(path, picture.width, picture.height, 3, picture.rgb);
+            if (!written) return written;
+        }
+    }
+    return {};
+}
+
+Result<Mesh> read_framed_mesh(const std::string& file) {
+    Result<MeshFile> read = read_mesh(file);
+    if (!read) return tl::unexpected(read.error());
+    if (read->meshes.size() != 1)
+        return fail(ErrorCode::usage, file + ": expected one mesh, found " + std::to_string(read->meshes.size()) + "; give a file with the one to judge");
+    Mesh mesh = std::move(read->meshes[0]);
+    if (mesh.uvs.empty()) return fail(ErrorCode::usage, file + ": has no texture coordinates; there is no place for a relief on it");
+    if (mesh.normals.empty() || mesh.tangents.empty() || mesh.quadrics.empty())
+        return fail(ErrorCode::usage, file + ": has no quadrics; bake them first (reliefbake quadric " + file + " -o OUT.glb)");
+    return mesh;
+}
+
+/// "ANGLE,AZIMUTH" in degrees.
+View require_view(const std::string& text) {
+    static const NumberRule angle = {[](double x) { return x >= 0 && x <= 180; }, "ANGLE,AZIMUTH: an angle from 0 to 180 degrees"};
+    static const NumberRule azimuth = {[](double x) { return x >= -360 && x <= 360; }, "ANGLE,AZIMUTH: an azimuth from -360 to 360 degrees"};
+    const std::size_t comma = std::min(text.find(','), text.size());
+    View view;
+    view.angle = require_number("--mesh-view", text.substr(0, comma), angle);
+    view.azimuth = require_number("--mesh-view", comma < text.size() ? text.substr(comma + 1) : "", azimuth);
+    return view;
+}
+
+Result<void> judge(const std::string& file, const MeshVerifyReport& report, const VerifyMeshOptions& given) {
+    const auto below = [&](const char* what, double found, const std::optional<double>& least) -> Result<void> {
+        if (!least || found >= *least) return {};
+        return fail(ErrorCode::verification, file + ": " + what + " is " + std::to_string(found) + ", below the " + std::to_string(*least) + " asked for");
+    };
+    return below("the silhouette's IoU", report.total.iou(), given.least_iou).and_then([&] {
+        return below("the agreement in the silhouette band", report.total.band_agreement(), given.least_band);
+    });
+}
+
+} // namespace
+
+void add_mesh_options(CLI::App& app, VerifyMeshOptions& options) {
+    app.option_defaults()->group(mesh_group);
+    app.add_option("--mesh", options.mesh, "Judge the map on this mesh with quadrics, beside the mesh really displaced; --depth-scale in the mesh's unit")
+        ->type_name("MESH");
+    const auto tiles = [&options](const std::string& text) { options.tiles = require_repeats("--mesh-tiles", text); };
+    app.add_option_function<std::string>("--mesh-tiles", tiles, "Repeats of the map over its texture coordinates (default 1)")->type_name("N[,M]");
+    add_choice(app, "--bend", options.bend, bend_words, "What a ray knows of the surface beside its pixel (default abc)");
+    add_choice(app, "--ends", options.ends, ends_words, "Axes on which the map ends with the mesh, at texture coordinates 0 and 1 (default none)");
+    const auto view = [&options](const std::string& text) { options.views.push_back(require_view(text)); };
+    app.add_option_function<std::string>("--mesh-view", view, "A view: degrees from the z axis, azimuth; several may be given (default three around it, from 90 to 60)")
+        ->type_name("A,B")
+        ->trigger_on_parse()
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    const auto size = [&options](const std::string& text) { options.size = require_size("--size", text); };
+    app.add_option_function<std::string>("--size", size, "Pixels of each view (default 1024x768)")->type_name("WxH");
+    add_number(app, "--least-iou", options.least_iou, fraction_number, "Exit with 4 when the silhouette's IoU is less");
+    add_number(app, "--least-band", options.least_band, fraction_number, "Exit with 4 when less of the silhouette band agrees");
+}
+
+Result<void> verify_on_mesh(const std::string& file, const MapHints& hints, const VerifyMeshOptions& given, std::optional<double> depth_scale,
+                            RendererBackend backend, int threads, bool json, const std::string& pictures) {
+    constexpr double default_depth = 0.1; // of the mesh's radius
+    const Result<ReliefMap> map = read_map(file, hints);
+    if (!map) return tl::unexpected(map.error());
+    if (map->depth.empty()) return fail(ErrorCode::usage, file + ": has no depth channel: there is no relief to judge");
+    const Result<Mesh> mesh = read_framed_mesh(given.mesh);
+    if (!mesh) return tl::unexpected(mesh.error());
+    const BilinearSurface relief(stored_depth(*map));
+    const MeshRelief how{depth_scale.value_or(default_depth * ball_around(*mesh).radius), given.tiles.first, given.tiles.second};
+
+    QuadricMarchOptions march;
+    march.model = given.bend;
+    march.ends_u = given.ends.find('u') != std::string::npos;
+    march.ends_v = given.ends.find('v') != std::string::npos;
+    std::tie(march.width, march.height) = given.size;
+    march.threads = threads;
+    MeshVerifyOptions options;
+    options.backend = backend;
+    std::tie(options.width, options.height) = given.size;
+    if (!given.views.empty()) options.views = given.views;
+    options.pictures = !pictures.empty();
+    const Result<MeshVerifyReport> report = verify_mesh(*mesh, relief, how, marching_shader(*mesh, relief, how, march), options);
+    if (!report) return fail(report.error().code, given.mesh + ": " + report.error().message);
+    std::fputs((json ? to_json(*report).dump(2) + "\n" : verify_text(*report)).c_str(), stdout);
+    if (options.pictures)
+        if (Result<void> written = write_pictures(pictures, *report); !written) return written;
+    return judge(file, *report, given);
+}
+
+} // namespace reliefbake
