@@ -16,6 +16,8 @@ namespace reliefbake {
 
 namespace {
 
+const Words<Correction> correction_words = {{"none", Correction::none}, {"ray", Correction::ray}, {"cone", Correction::cone}, {"bent", Correction::bent}};
+const Words<bool> terms_words = {{"ab", false}, {"abc", true}};
 const Words<BendModel> bend_words = {{"flat", BendModel::flat}, {"ab", BendModel::ab}, {"abc", BendModel::abc}, {"circle", BendModel::circle}};
 const Words<std::string> ends_words = {{"u", "u"}, {"v", "v"}, {"uv", "uv"}};
 
@@ -77,8 +79,10 @@ void add_mesh_options(CLI::App& app, VerifyMeshOptions& options) {
         ->type_name("MESH");
     const auto tiles = [&options](const std::string& text) { options.tiles = require_repeats("--mesh-tiles", text); };
     app.add_option_function<std::string>("--mesh-tiles", tiles, "Repeats of the map over its texture coordinates (default 1)")->type_name("N[,M]");
-    add_choice(app, "--bend", options.bend, bend_words, "What a ray knows of the surface beside its pixel (default abc)");
-    add_choice(app, "--ends", options.ends, ends_words, "Axes on which the map ends with the mesh, at texture coordinates 0 and 1 (default none)");
+    add_choice(app, "--correction", options.correction, correction_words, "How a ray knows of the mesh's curvature (default bent)");
+    add_choice(app, "--terms", options.twist, terms_words, "Terms of the quadrics that count (default abc)");
+    add_choice(app, "--ideal", options.ideal, bend_words, "Instead of the shader: a march without limits over this model of the surface, to tell its errors from the shader's");
+    add_choice(app, "--ends", options.ends, ends_words, "With --ideal: axes on which the map ends with the mesh, at texture coordinates 0 and 1 (default none)");
     const auto view = [&options](const std::string& text) { options.views.push_back(require_view(text)); };
     app.add_option_function<std::string>("--mesh-view", view, "A view: degrees from the z axis, azimuth; several may be given (default three around it, from 90 to 60)")
         ->type_name("A,B")
@@ -90,34 +94,79 @@ void add_mesh_options(CLI::App& app, VerifyMeshOptions& options) {
     add_number(app, "--least-band", options.least_band, fraction_number, "Exit with 4 when less of the silhouette band agrees");
 }
 
-Result<void> verify_on_mesh(const std::string& file, const MapHints& hints, const VerifyMeshOptions& given, std::optional<double> depth_scale,
-                            RendererBackend backend, int threads, bool json, const std::string& pictures) {
-    constexpr double default_depth = 0.1; // of the mesh's radius
-    const Result<ReliefMap> map = read_map(file, hints);
-    if (!map) return tl::unexpected(map.error());
-    if (map->depth.empty()) return fail(ErrorCode::usage, file + ": has no depth channel: there is no relief to judge");
-    const Result<Mesh> mesh = read_framed_mesh(given.mesh);
-    if (!mesh) return tl::unexpected(mesh.error());
-    const BilinearSurface relief(stored_depth(*map));
-    const MeshRelief how{depth_scale.value_or(default_depth * ball_around(*mesh).radius), given.tiles.first, given.tiles.second};
+namespace {
 
-    QuadricMarchOptions march;
-    march.model = given.bend;
-    march.ends_u = given.ends.find('u') != std::string::npos;
-    march.ends_v = given.ends.find('v') != std::string::npos;
-    std::tie(march.width, march.height) = given.size;
-    march.threads = threads;
+/// The reference shader, as the options have it.
+class RenderedFrames {
+  public:
+    static Result<RenderedFrames> create(const MeshJudgement& given, const ReliefMap& map, const Mesh& mesh, const MeshRelief& how) {
+        Result<MeshRenderer> renderer = MeshRenderer::create(given.backend);
+        if (!renderer) return tl::unexpected(renderer.error());
+        if (Result<void> loaded = renderer->load(map); !loaded) return tl::unexpected(loaded.error());
+        if (Result<void> set = renderer->set_objects({{&mesh, how}}); !set) return tl::unexpected(set.error());
+        MeshRenderOptions options;
+        options.correction = given.mesh.correction;
+        options.twist = given.mesh.twist;
+        options.technique = given.technique.technique.value_or(suitable_technique(map));
+        options.max_steps = given.technique.steps.value_or(options.max_steps);
+        options.linear_steps = given.technique.steps.value_or(options.linear_steps);
+        options.binary_steps = given.technique.binary_steps.value_or(options.binary_steps);
+        std::tie(options.width, options.height) = given.mesh.size;
+        return RenderedFrames(std::move(*renderer), options);
+    }
+
+    Result<MeshFrame> operator()(const View& view, const Camera& camera) {
+        options_.camera = camera;
+        options_.sun = mesh_sun(view);
+        Result<MeshRendering> frame = renderer_.render(options_);
+        if (!frame) return tl::unexpected(frame.error());
+        return MeshFrame{std::move(frame->distance), std::move(frame->steps), std::move(frame->colour), frame->seconds};
+    }
+
+  private:
+    RenderedFrames(MeshRenderer renderer, const MeshRenderOptions& options) : renderer_(std::move(renderer)), options_(options) {}
+    MeshRenderer renderer_;
+    MeshRenderOptions options_;
+};
+
+Result<MeshVerifyReport> judge_frames(const MeshJudgement& given, const ReliefMap& map, const Mesh& mesh) {
+    constexpr double default_depth = 0.1; // of the mesh's radius
+    const BilinearSurface relief(stored_depth(map));
+    const MeshRelief how{given.depth_scale.value_or(default_depth * ball_around(mesh).radius), given.mesh.tiles.first, given.mesh.tiles.second};
     MeshVerifyOptions options;
-    options.backend = backend;
-    std::tie(options.width, options.height) = given.size;
-    if (!given.views.empty()) options.views = given.views;
-    options.pictures = !pictures.empty();
-    const Result<MeshVerifyReport> report = verify_mesh(*mesh, relief, how, marching_shader(*mesh, relief, how, march), options);
-    if (!report) return fail(report.error().code, given.mesh + ": " + report.error().message);
-    std::fputs((json ? to_json(*report).dump(2) + "\n" : verify_text(*report)).c_str(), stdout);
-    if (options.pictures)
-        if (Result<void> written = write_pictures(pictures, *report); !written) return written;
-    return judge(file, *report, given);
+    options.backend = given.backend;
+    std::tie(options.width, options.height) = given.mesh.size;
+    if (!given.mesh.views.empty()) options.views = given.mesh.views;
+    options.pictures = !given.pictures.empty();
+    if (given.mesh.ideal) {
+        QuadricMarchOptions march;
+        march.model = *given.mesh.ideal;
+        march.ends_u = given.mesh.ends.find('u') != std::string::npos;
+        march.ends_v = given.mesh.ends.find('v') != std::string::npos;
+        std::tie(march.width, march.height) = given.mesh.size;
+        march.threads = given.threads;
+        return verify_mesh(mesh, relief, how, marching_shader(mesh, relief, how, march), options);
+    }
+    Result<RenderedFrames> frames = RenderedFrames::create(given, map, mesh, how);
+    if (!frames) return tl::unexpected(frames.error());
+    return verify_mesh(mesh, relief, how, [&](const View& view, const Camera& camera) { return (*frames)(view, camera); }, options);
+}
+
+} // namespace
+
+Result<void> verify_on_mesh(const MeshJudgement& given) {
+    if (!given.mesh.ideal && !given.mesh.ends.empty()) return fail(ErrorCode::usage, "--ends: needs --ideal");
+    const Result<ReliefMap> map = read_map(given.file, given.hints);
+    if (!map) return tl::unexpected(map.error());
+    if (map->depth.empty()) return fail(ErrorCode::usage, given.file + ": has no depth channel: there is no relief to judge");
+    const Result<Mesh> mesh = read_framed_mesh(given.mesh.mesh);
+    if (!mesh) return tl::unexpected(mesh.error());
+    const Result<MeshVerifyReport> report = judge_frames(given, *map, *mesh);
+    if (!report) return fail(report.error().code, given.mesh.mesh + ": " + report.error().message);
+    std::fputs((given.json ? to_json(*report).dump(2) + "\n" : verify_text(*report)).c_str(), stdout);
+    if (!given.pictures.empty())
+        if (Result<void> written = write_pictures(given.pictures, *report); !written) return written;
+    return judge(given.file, *report, given.mesh);
 }
 
 } // namespace reliefbake

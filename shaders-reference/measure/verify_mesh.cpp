@@ -13,8 +13,6 @@ namespace {
 
 using Imath::V3d;
 
-constexpr Sun sun{-130, 35}; // from behind the viewer's left shoulder
-
 RgbImage difference_picture(const MeshPlanes& planes, double depth_scale) {
     using Rgb = std::array<std::uint8_t, 3>;
     RgbImage picture{planes.base.width(), planes.base.height(), {}};
@@ -70,12 +68,14 @@ MeshShader marching_shader(const Mesh& mesh, const BilinearSurface& relief, cons
         QuadricMarch march = march_quadrics(mesh, relief, how, camera, options);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         Image<Quad> linear(options.width, options.height, Quad{});
-        const Vec3 light = sun_direction(sun, view);
+        const Vec3 light = mesh_sun(view);
         for (std::size_t k = 0; k < linear.size(); ++k)
             if (std::isfinite(march.distance[k])) linear[k] = clay(march.normal[k], light);
         return MeshFrame{std::move(march.distance), Image<float>(options.width, options.height, 0), resolve_picture(linear, 1), seconds};
     };
 }
+
+Vec3 mesh_sun(const View& view) { return sun_direction({-130, 35}, view); }
 
 Ball ball_around(const Mesh& mesh) {
     V3d low(std::numeric_limits<double>::infinity()), high(-std::numeric_limits<double>::infinity());
@@ -105,7 +105,7 @@ Result<MeshVerifyReport> verify_mesh(const Mesh& mesh, const BilinearSurface& re
         frame.width = options.width;
         frame.height = options.height;
         frame.camera = make_orbit_camera(ball.middle, ball.radius, view, double(options.width) / options.height);
-        frame.sun = sun_direction(sun, view);
+        frame.sun = mesh_sun(view);
         Result<PlainMeshRendering> base = renderer->render(frame, plain_triangles(mesh));
         if (!base) return tl::unexpected<Error>(base.error());
         Result<PlainMeshRendering> truth = renderer->render(frame, displaced_triangles(mesh, relief, how));

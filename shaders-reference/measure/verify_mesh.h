@@ -53,6 +53,9 @@ struct MeshVerifyReport {
     std::vector<MeshViewReport> views;
 };
 
+/// Towards the light of a view: from behind the viewer's left shoulder.
+Vec3 mesh_sun(const View& view);
+
 /// A ball that holds the mesh's finite positions: middle and radius, > 0.
 struct Ball {
     Vec3 middle;

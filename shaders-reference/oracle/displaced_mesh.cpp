@@ -27,7 +27,7 @@ int halvings(const V2d& edge, double longest) { return std::max(0, int(std::ceil
 
 /// Rates of change over one base triangle, per texel; zero where its texture has no area.
 struct Rates {
-    V3d position_x, position_y, normal_x, normal_y;
+    V3d position_x{0}, position_y{0}, normal_x{0}, normal_y{0};
 };
 
 Rates rates_of(const Corner& a, const Corner& b, const Corner& c) {

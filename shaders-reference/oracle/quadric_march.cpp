@@ -23,13 +23,13 @@ V2d down(const Mesh& mesh, std::uint32_t v) { return {double(mesh.uvs[v].x), mes
 
 /// What a fragment shader is given: the ray in the pixel's frame, and the map under it.
 struct Pixel {
-    V3d ray;            ///< unit, z < 0
-    V2d uv;             ///< in maps
-    V2d uv_x, uv_y;     ///< change of uv per unit of x, y
+    V3d ray{0};         ///< unit, z < 0
+    V2d uv{0};          ///< in maps
+    V2d uv_x{0}, uv_y{0}; ///< change of uv per unit of x, y
     double a, b, c;
     double depth_scale;
     V2d ends{nowhere, nowhere}; ///< uv in maps where the map ends; the other end is 0
-    V3d x, y, n;        ///< the frame
+    V3d x{0}, y{0}, n{0}; ///< the frame
 };
 
 struct Place {
@@ -226,7 +226,7 @@ QuadricMarch march_quadrics(const Mesh& mesh, const BilinearSurface& relief, con
     const int width = options.width, height = options.height;
     const Screen screen(camera, width, height);
     QuadricMarch march{Image<float>(width, height, std::numeric_limits<float>::infinity()), {}};
-    march.normal.resize(march.distance.size());
+    march.normal.assign(march.distance.size(), Imath::V3f(0));
     std::vector<Fragments> triangles;
     V3d low(nowhere), high(-nowhere);
     for (const Triangle& t : mesh.triangles) triangles.emplace_back(mesh, how, t, camera, options);
