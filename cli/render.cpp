@@ -83,6 +83,7 @@ void RenderCommand::add_to(CLI::App& app) {
     app.option_defaults()->group("Map");
     add_map_hints(app, options_.hints);
     add_render_shape_options(app, options_.shape);
+    add_render_mesh_options(app, options_.mesh);
 }
 
 Result<void> RenderCommand::check_output(const std::filesystem::path& path) const {
@@ -113,6 +114,20 @@ Result<void> RenderCommand::write_error(const ReliefMap& map, const Rendering& r
     return write_png(options_.error, picture.width, picture.height, 3, picture.rgb);
 }
 
+Result<void> RenderCommand::run_mesh(const std::string& kind) const {
+    const bool shape = kind == "shape";
+    const std::string why = "is not for meshes (--mesh)";
+    Result<void> fits = refuse_given(*app_, "Light", {"--tiles", "--endless", "--span", "--error", "--exact-finish", "--solid", "--on", "--axis", "--scheme",
+                                                      "--projection", "--texture", "--bump", "--bump-scale", "--texture-tiles"}, why);
+    if (fits && shape) fits = refuse_hints(options_.hints, options_.file, "shape").and_then([&] {
+        return refuse_given(*app_, "", {"--technique"}, options_.file + " is a shape map, which does not take it");
+    });
+    if (fits && !shape) fits = refuse_given(*app_, "", {"--e", "--b", "--c"}, "is for shape maps (reliefbake shape)");
+    if (!fits) return fits;
+    return render_on_meshes({options_.file, options_.hints, options_.output, options_.picture, options_.technique, options_.shape.solid, options_.backend},
+                            options_.mesh, shape);
+}
+
 Result<void> RenderCommand::run_shape() const {
     if (Result<void> hinted = refuse_hints(options_.hints, options_.file, "shape"); !hinted) return hinted;
     Result<void> fits = refuse_given(*app_, "", {"--technique", "--exact-finish", "--ao", "--endless", "--error", "--horizon"}, options_.file + " is a shape map, which does not take it");
@@ -130,9 +145,13 @@ Result<void> RenderCommand::run() {
     }
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
-    if (*kind == "shape") return run_shape();
+    const bool on_mesh = !options_.mesh.files.empty();
+    if (!on_mesh)
+        if (Result<void> fits = refuse_given(*app_, mesh_group, {}, "needs --mesh"); !fits) return fits;
+    if (*kind == "shape" && !on_mesh) return run_shape();
     if (bump_kind_of(*kind))
         return fail(ErrorCode::usage, options_.file + ": is a map of kind " + *kind + "; a cone map is drawn, horizons with it by --shadow horizon --horizon FILE");
+    if (on_mesh) return run_mesh(*kind);
     if (Result<void> fits = refuse_given(*app_, solid_group, {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
     if (options_.picture.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
     if ((options_.picture.shadow == Shadow::horizon) == options_.horizons.empty())

@@ -2,6 +2,7 @@
 // reliefbake render MAP -o PNG
 
 #include "cli/command.h"
+#include "cli/render_mesh.h"
 #include "cli/render_shape.h"
 #include "cli/technique_options.h"
 #include "formats/map_file.h"
@@ -21,6 +22,7 @@ class RenderCommand : public Command {
     Result<void> check_output(const std::filesystem::path& path) const;
     Result<Rendering> draw(const ReliefMap& map, const RenderOptions& picture) const;
     Result<void> write_error(const ReliefMap& map, const Rendering& rendering) const;
+    Result<void> run_mesh(const std::string& kind) const;
     Result<void> run_shape() const;
 
     struct Options {
@@ -33,6 +35,7 @@ class RenderCommand : public Command {
         RendererBackend backend = RendererBackend::osmesa;
         TechniqueOptions technique;
         RenderShapeOptions shape;
+        RenderMeshOptions mesh;
     } options_;
     const CLI::App* app_ = nullptr; ///< knows which options were given
 };

@@ -75,7 +75,7 @@ void VerifyCommand::add_to(CLI::App& app) {
     app.option_defaults()->group("Map");
     add_map_hints(app, options_.hints);
     add_solid_options(app, options_.solid);
-    add_mesh_options(app, options_.mesh);
+    add_verify_mesh_options(app, options_.mesh);
 }
 
 Result<void> VerifyCommand::run_shape() const {
@@ -147,7 +147,7 @@ Result<void> VerifyCommand::run_bump(const std::string& kind) const {
 Result<void> VerifyCommand::run() {
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
-    const bool on_mesh = !options_.mesh.mesh.empty();
+    const bool on_mesh = !options_.mesh.file.empty();
     if (!on_mesh)
         if (Result<void> fits = refuse_given(*app_, mesh_group, {}, "needs --mesh"); !fits) return fits;
     if (*kind != "shape" && !on_mesh)

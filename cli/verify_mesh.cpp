@@ -3,7 +3,6 @@
 #include "cli/choices.h"
 #include "cli/number_options.h"
 #include "cli/verify_text.h"
-#include "formats/mesh_file.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/stored_depth.h"
 
@@ -16,10 +15,7 @@ namespace reliefbake {
 
 namespace {
 
-const Words<Correction> correction_words = {{"none", Correction::none}, {"ray", Correction::ray}, {"cone", Correction::cone}, {"bent", Correction::bent}};
-const Words<bool> terms_words = {{"ab", false}, {"abc", true}};
 const Words<BendModel> bend_words = {{"flat", BendModel::flat}, {"ab", BendModel::ab}, {"abc", BendModel::abc}, {"circle", BendModel::circle}};
-const Words<std::string> ends_words = {{"u", "u"}, {"v", "v"}, {"uv", "uv"}};
 
 /// FOLDER/mesh-ANGLE-AZIMUTH-{rendering,truth,difference}.png
 Result<void> write_pictures(const std::string& folder, const MeshVerifyReport& report) {
@@ -36,18 +32,6 @@ Result<void> write_pictures(const std::string& folder, const MeshVerifyReport& r
         }
     }
     return {};
-}
-
-Result<Mesh> read_framed_mesh(const std::string& file) {
-    Result<MeshFile> read = read_mesh(file);
-    if (!read) return tl::unexpected(read.error());
-    if (read->meshes.size() != 1)
-        return fail(ErrorCode::usage, file + ": expected one mesh, found " + std::to_string(read->meshes.size()) + "; give a file with the one to judge");
-    Mesh mesh = std::move(read->meshes[0]);
-    if (mesh.uvs.empty()) return fail(ErrorCode::usage, file + ": has no texture coordinates; there is no place for a relief on it");
-    if (mesh.normals.empty() || mesh.tangents.empty() || mesh.quadrics.empty())
-        return fail(ErrorCode::usage, file + ": has no quadrics; bake them first (reliefbake quadric " + file + " -o OUT.glb)");
-    return mesh;
 }
 
 /// "ANGLE,AZIMUTH" in degrees.
@@ -73,16 +57,12 @@ Result<void> judge(const std::string& file, const MeshVerifyReport& report, cons
 
 } // namespace
 
-void add_mesh_options(CLI::App& app, VerifyMeshOptions& options) {
+void add_verify_mesh_options(CLI::App& app, VerifyMeshOptions& options) {
     app.option_defaults()->group(mesh_group);
-    app.add_option("--mesh", options.mesh, "Judge the map on this mesh with quadrics, beside the mesh really displaced; --depth-scale in the mesh's unit")
+    app.add_option("--mesh", options.file, "Judge the map on this mesh with quadrics, beside the mesh really displaced; --depth-scale in the mesh's unit")
         ->type_name("MESH");
-    const auto tiles = [&options](const std::string& text) { options.tiles = require_repeats("--mesh-tiles", text); };
-    app.add_option_function<std::string>("--mesh-tiles", tiles, "Repeats of the map over its texture coordinates (default 1)")->type_name("N[,M]");
-    add_choice(app, "--correction", options.correction, correction_words, "How a ray knows of the mesh's curvature (default bent)");
-    add_choice(app, "--terms", options.twist, terms_words, "Terms of the quadrics that count (default abc)");
+    add_mesh_options(app, options.mesh);
     add_choice(app, "--ideal", options.ideal, bend_words, "Instead of the shader: a march without limits over this model of the surface, to tell its errors from the shader's");
-    add_choice(app, "--ends", options.ends, ends_words, "With --ideal: axes on which the map ends with the mesh, at texture coordinates 0 and 1 (default none)");
     const auto view = [&options](const std::string& text) { options.views.push_back(require_view(text)); };
     app.add_option_function<std::string>("--mesh-view", view, "A view: degrees from the z axis, azimuth; several may be given (default three around it, from 90 to 60)")
         ->type_name("A,B")
@@ -103,14 +83,10 @@ class RenderedFrames {
         Result<MeshRenderer> renderer = MeshRenderer::create(given.backend);
         if (!renderer) return tl::unexpected(renderer.error());
         if (Result<void> loaded = renderer->load(map); !loaded) return tl::unexpected(loaded.error());
-        if (Result<void> set = renderer->set_objects({{&mesh, how}}); !set) return tl::unexpected(set.error());
-        MeshRenderOptions options;
-        options.correction = given.mesh.correction;
-        options.twist = given.mesh.twist;
-        options.technique = given.technique.technique.value_or(suitable_technique(map));
-        options.max_steps = given.technique.steps.value_or(options.max_steps);
-        options.linear_steps = given.technique.steps.value_or(options.linear_steps);
-        options.binary_steps = given.technique.binary_steps.value_or(options.binary_steps);
+        if (Result<void> set = renderer->set_objects({mesh_object(mesh, given.mesh.mesh, how.depth_scale)}); !set) return tl::unexpected(set.error());
+        const Result<MeshRenderOptions> picture = mesh_picture(given.mesh.mesh, given.technique, map);
+        if (!picture) return tl::unexpected(picture.error());
+        MeshRenderOptions options = *picture;
         std::tie(options.width, options.height) = given.mesh.size;
         return RenderedFrames(std::move(*renderer), options);
     }
@@ -132,7 +108,7 @@ class RenderedFrames {
 Result<MeshVerifyReport> judge_frames(const MeshJudgement& given, const ReliefMap& map, const Mesh& mesh) {
     constexpr double default_depth = 0.1; // of the mesh's radius
     const BilinearSurface relief(stored_depth(map));
-    const MeshRelief how{given.depth_scale.value_or(default_depth * ball_around(mesh).radius), given.mesh.tiles.first, given.mesh.tiles.second};
+    const MeshRelief how = mesh_object(mesh, given.mesh.mesh, given.depth_scale.value_or(default_depth * ball_around(mesh).radius)).relief;
     MeshVerifyOptions options;
     options.backend = given.backend;
     std::tie(options.width, options.height) = given.mesh.size;
@@ -141,8 +117,7 @@ Result<MeshVerifyReport> judge_frames(const MeshJudgement& given, const ReliefMa
     if (given.mesh.ideal) {
         QuadricMarchOptions march;
         march.model = *given.mesh.ideal;
-        march.ends_u = given.mesh.ends.find('u') != std::string::npos;
-        march.ends_v = given.mesh.ends.find('v') != std::string::npos;
+        march.ends_u = given.mesh.mesh.ends_u(), march.ends_v = given.mesh.mesh.ends_v();
         std::tie(march.width, march.height) = given.mesh.size;
         march.threads = given.threads;
         return verify_mesh(mesh, relief, how, marching_shader(mesh, relief, how, march), options);
@@ -155,14 +130,13 @@ Result<MeshVerifyReport> judge_frames(const MeshJudgement& given, const ReliefMa
 } // namespace
 
 Result<void> verify_on_mesh(const MeshJudgement& given) {
-    if (!given.mesh.ideal && !given.mesh.ends.empty()) return fail(ErrorCode::usage, "--ends: needs --ideal");
     const Result<ReliefMap> map = read_map(given.file, given.hints);
     if (!map) return tl::unexpected(map.error());
     if (map->depth.empty()) return fail(ErrorCode::usage, given.file + ": has no depth channel: there is no relief to judge");
-    const Result<Mesh> mesh = read_framed_mesh(given.mesh.mesh);
+    const Result<Mesh> mesh = read_framed_mesh(given.mesh.file, given.mesh.mesh.correction);
     if (!mesh) return tl::unexpected(mesh.error());
     const Result<MeshVerifyReport> report = judge_frames(given, *map, *mesh);
-    if (!report) return fail(report.error().code, given.mesh.mesh + ": " + report.error().message);
+    if (!report) return fail(report.error().code, given.mesh.file + ": " + report.error().message);
     std::fputs((given.json ? to_json(*report).dump(2) + "\n" : verify_text(*report)).c_str(), stdout);
     if (!given.pictures.empty())
         if (Result<void> written = write_pictures(given.pictures, *report); !written) return written;

@@ -1,0 +1,84 @@
+#include "cli/render_mesh.h"
+
+#include "formats/shape_file.h"
+#include "formats/write_image.h"
+#include "shaders-reference/measure/verify_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reliefbake {
+
+namespace {
+
+/// A ball around all of them, of the first one's middle.
+Ball ball_around_all(const std::vector<Mesh>& meshes) {
+    Ball ball = ball_around(meshes.front());
+    for (const Mesh& mesh : meshes) {
+        const Ball other = ball_around(mesh);
+        const double apart = std::hypot(other.middle[0] - ball.middle[0], other.middle[1] - ball.middle[1], other.middle[2] - ball.middle[2]);
+        ball.radius = std::max(ball.radius, apart + other.radius);
+    }
+    return ball;
+}
+
+/// Loads the map and says how its rays are followed.
+Result<MeshRenderOptions> load_map(MeshRenderer& renderer, const MeshPicture& given, const MeshOptions& mesh, bool shape) {
+    if (!shape) {
+        const Result<ReliefMap> map = read_map(given.file, given.hints);
+        if (!map) return tl::unexpected(map.error());
+        if (Result<void> loaded = renderer.load(*map); !loaded) return tl::unexpected(loaded.error());
+        return mesh_picture(mesh, given.technique, *map);
+    }
+    const Result<ShapeSolid> solid = resolve_solid(given.solid);
+    if (!solid) return tl::unexpected(solid.error());
+    const Result<ShapeMap> map = read_shape_map(given.file, given.hints.max_bytes);
+    if (!map) return tl::unexpected(map.error());
+    if (Result<void> loaded = renderer.load(*map); !loaded) return tl::unexpected(loaded.error());
+    MeshRenderOptions picture;
+    picture.correction = mesh.correction;
+    picture.twist = mesh.twist;
+    picture.max_steps = given.technique.steps.value_or(picture.max_steps);
+    picture.binary_steps = given.technique.binary_steps.value_or(picture.binary_steps);
+    picture.solid = *solid;
+    return picture;
+}
+
+} // namespace
+
+void add_render_mesh_options(CLI::App& app, RenderMeshOptions& options) {
+    app.option_defaults()->group(mesh_group);
+    app.add_option("--mesh", options.files, "Lay the map on this mesh with quadrics (reliefbake quadric); several may be given. --depth-scale is in its unit")
+        ->type_name("MESH")
+        ->allow_extra_args(false);
+    add_mesh_options(app, options.mesh);
+}
+
+Result<void> render_on_meshes(const MeshPicture& given, const RenderMeshOptions& options, bool shape) {
+    constexpr double default_depth = 0.1; // of the meshes' radius
+    std::vector<Mesh> meshes;
+    for (const std::string& file : options.files) {
+        Result<Mesh> mesh = read_framed_mesh(file, options.mesh.correction);
+        if (!mesh) return tl::unexpected(mesh.error());
+        meshes.push_back(std::move(*mesh));
+    }
+    const Ball ball = ball_around_all(meshes);
+    const double depth_scale = given.solid.depth_scale.value_or(default_depth * ball.radius);
+    std::vector<MeshObject> objects;
+    for (const Mesh& mesh : meshes) objects.push_back(mesh_object(mesh, options.mesh, depth_scale));
+
+    Result<MeshRenderer> renderer = MeshRenderer::create(given.backend);
+    if (!renderer) return tl::unexpected(renderer.error());
+    Result<MeshRenderOptions> picture = load_map(*renderer, given, options.mesh, shape);
+    if (!picture) return tl::unexpected(picture.error());
+    if (Result<void> set = renderer->set_objects(objects); !set) return set;
+    picture->width = given.picture.width, picture->height = given.picture.height;
+    picture->supersample = given.picture.supersample;
+    picture->camera = make_orbit_camera(ball.middle, ball.radius, given.picture.view, double(picture->width) / picture->height);
+    picture->sun = sun_direction(given.picture.sun, given.picture.view);
+    const Result<MeshRendering> rendering = renderer->render(*picture);
+    if (!rendering) return fail(rendering.error().code, given.file + ": " + rendering.error().message);
+    return write_png(given.output, rendering->colour.width, rendering->colour.height, 3, rendering->colour.rgb);
+}
+
+} // namespace reliefbake
