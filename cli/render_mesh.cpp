@@ -1,5 +1,6 @@
 #include "cli/render_mesh.h"
 
+#include "cli/choices.h"
 #include "formats/shape_file.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/verify_mesh.h"
@@ -10,6 +11,15 @@
 namespace reliefbake {
 
 namespace {
+
+const Words<bool> up_words = {{"z", false}, {"y", true}};
+
+/// Turns what has y up about the x axis, so that z is.
+void stand_up(Mesh& mesh) {
+    for (Imath::V3d& p : mesh.positions) p = {p.x, -p.z, p.y};
+    for (Imath::V3f& n : mesh.normals) n = {n.x, -n.z, n.y};
+    for (Imath::V4f& t : mesh.tangents) t = {t.x, -t.z, t.y, t.w};
+}
 
 /// A ball around all of them, of the first one's middle.
 Ball ball_around_all(const std::vector<Mesh>& meshes) {
@@ -52,6 +62,7 @@ void add_render_mesh_options(CLI::App& app, RenderMeshOptions& options) {
         ->type_name("MESH")
         ->allow_extra_args(false);
     add_mesh_options(app, options.mesh);
+    add_choice(app, "--up", options.y_up, up_words, "The meshes' axis that points up in the picture (default z)");
 }
 
 Result<void> render_on_meshes(const MeshPicture& given, const RenderMeshOptions& options, bool shape) {
@@ -60,6 +71,7 @@ Result<void> render_on_meshes(const MeshPicture& given, const RenderMeshOptions&
     for (const std::string& file : options.files) {
         Result<Mesh> mesh = read_framed_mesh(file, options.mesh.correction);
         if (!mesh) return tl::unexpected(mesh.error());
+        if (options.y_up) stand_up(*mesh);
         meshes.push_back(std::move(*mesh));
     }
     const Ball ball = ball_around_all(meshes);

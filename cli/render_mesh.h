@@ -14,9 +14,10 @@ namespace reliefbake {
 struct RenderMeshOptions {
     std::vector<std::string> files; ///< of the meshes; empty: a plane
     MeshOptions mesh;
+    bool y_up = false; ///< the meshes' y axis points up, not z
 };
 
-/// Adds --mesh and what add_mesh_options adds.
+/// Adds --mesh, --up and what add_mesh_options adds.
 void add_render_mesh_options(CLI::App& app, RenderMeshOptions& options);
 
 /// What the command line says beside them.

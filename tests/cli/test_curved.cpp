@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <fstream>
 #include <string>
 
 using namespace reliefbake::test;
@@ -88,4 +90,44 @@ TEST_CASE("what does not fit a mesh is refused in a line") {
     refused("bench surface cylinder -o cylinder.obj", "quadrics");
     CHECK(run_tool("verify bumps.exr --mesh none.glb").status == 66);
     CHECK(run_tool("verify bumps.exr --mesh cylinder.glb --mesh-tiles 10000").status == 5);
+}
+
+TEST_CASE("render lays a map, or the extrusion of a shape, on meshes") {
+    make_files();
+    write_pgm(work_folder() / "disc.pgm", 32, 32, [](int x, int y) { return (x - 16) * (x - 16) + (y - 16) * (y - 16) < 90 ? 0 : 255; });
+    REQUIRE(run_tool("shape disc.pgm -o disc.png --wrap repeat --quiet").status == 0);
+    REQUIRE(run_tool("bench surface torus --segments 48 -o torus.ply").status == 0);
+    const std::string view = " --size 120x90 --view 80 --depth-scale 0.1 ";
+    const auto picture = [&](const std::string& line) {
+        const Outcome outcome = run_tool("render " + line + view + "-o picture.png");
+        INFO(line << ": " << outcome.err);
+        REQUIRE(outcome.status == 0);
+        return bytes_of((work_folder() / "picture.png").string());
+    };
+    const std::string one = picture("bumps.exr --mesh cylinder.glb --mesh-tiles 6,2 --ends v");
+    CHECK(one == picture("bumps.exr --mesh cylinder.glb --mesh-tiles 6,2 --ends v"));
+    for (const std::string other : {"--correction none", "--correction ray", "--mesh torus.ply", "--up y", "--technique binary --steps 40", "--steps 3"})
+        CHECK(one != picture("bumps.exr --mesh cylinder.glb --mesh-tiles 6,2 --ends v " + other));
+    const std::string basic = picture("disc.png --mesh torus.ply --mesh-tiles 8,3");
+    for (const std::string other : {"--e 0.05", "--b 0.1", "--b 0.1 --c 0.5"}) CHECK(basic != picture("disc.png --mesh torus.ply --mesh-tiles 8,3 " + other));
+}
+
+TEST_CASE("render refuses what meshes do not take") {
+    make_files();
+    write_pgm(work_folder() / "disc.pgm", 8, 8, [](int x, int) { return x < 4 ? 0 : 255; });
+    REQUIRE(run_tool("shape disc.pgm -o disc.png --quiet").status == 0);
+    for (const std::string line :
+         {"bumps.exr --mesh-tiles 2", "bumps.exr --mesh cylinder.glb --tiles 2", "bumps.exr --mesh cylinder.glb --e 0.1", "bumps.exr --mesh cylinder.glb --endless",
+          "bumps.exr --mesh cylinder.glb --technique pom", "bumps.exr --mesh cylinder.glb --exact-finish", "bumps.exr --mesh cylinder.glb --shadow",
+          "bumps.exr --mesh cylinder.glb --technique binary --correction cone", "disc.png --mesh cylinder.glb --correction cone", "disc.png --mesh cylinder.glb --technique cone",
+          "disc.png --mesh cylinder.glb --solid revolution", "bumps.exr --mesh cylinder.glb --mesh-tiles 0", "bumps.exr --mesh cylinder.glb --ends w"}) {
+        const Outcome outcome = run_tool("render " + line + " -o refused.png --size 64x48");
+        CAPTURE(line, outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') <= 2);
+        CHECK_FALSE(std::filesystem::exists(work_folder() / "refused.png"));
+    }
+    CHECK(run_tool("render bumps.exr --mesh nowhere.glb -o refused.png").status == 66);
+    std::ofstream(work_folder() / "bare.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+    CHECK(run_tool("render bumps.exr --mesh bare.obj -o refused.png").err.find("reliefbake quadric") != std::string::npos);
 }
