@@ -56,6 +56,8 @@ Result<BinaryShape> make_shape(Image<float> samples, const ShapeOptions& options
     std::uint64_t outside = 0;
     for (const std::uint8_t v : shape.outside_) outside += v;
     shape.inside_count_ = shape.outside_.size() - outside;
+    shape.empty_ = shape.inside_count_ == 0, shape.full_ = outside == 0;
+    for (const float part : shape.coverage_) shape.empty_ = shape.empty_ && part == 0, shape.full_ = shape.full_ && part == 1;
     return shape;
 }
 

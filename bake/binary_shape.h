@@ -37,8 +37,8 @@ class BinaryShape {
     /// ShapeModel::contour alone, else empty: the part of each texel, 0 to 1, that the shape covers.
     const Image<float>& coverage() const { return coverage_; }
     std::uint64_t inside_count() const { return inside_count_; }
-    bool empty() const { return inside_count_ == 0; }
-    bool full() const { return inside_count_ == outside_.size(); }
+    bool empty() const { return empty_; } ///< no part of any texel is inside
+    bool full() const { return full_; }   ///< all of every texel is
 
   private:
     friend Result<BinaryShape> make_shape(Image<float>, const ShapeOptions&, const std::string&);
@@ -48,6 +48,7 @@ class BinaryShape {
     Image<std::uint8_t> outside_;
     Image<float> coverage_;
     std::uint64_t inside_count_ = 0;
+    bool empty_ = true, full_ = true;
 };
 
 /// A texel is inside when its sample is below the threshold (`bright_is_inside`: at or above it), and `invert` turns that round.

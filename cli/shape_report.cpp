@@ -26,6 +26,11 @@ std::vector<std::string> shape_warnings(const ShapeCommandOptions& options, cons
     if (is_unorm(info.bits) && texels_a_code(info) > 1)
         warnings.push_back(options.output + format(": one code stands for %.3g texels, and shorter distances are 0; "
                                                    "--bits 16 or a smaller --scale-f keeps them", texels_a_code(info)));
+    const double farthest = info.scale_f * info.max_distance;
+    constexpr double filter_cost = 0.70710678118654757; // of guarantee S, texels
+    if (farthest > 0 && farthest <= filter_cost)
+        warnings.push_back(options.output + format(": its distances end at %.3g texels, and filtering them costs %.3g: no ray gets on, all of a solid looks filled; ", farthest, filter_cost) +
+                           (info.max_distance > filter_cost ? "use a larger --scale-f" : "use a larger picture of the shape"));
     return warnings;
 }
 

@@ -133,6 +133,22 @@ TEST_CASE("Coarse codes are warned about") {
     CHECK(bake("far.pgm -o far.png --bits 8 --scale-f 0.4")["warnings"].empty());
 }
 
+TEST_CASE("Distances that filtering eats up are warned about") {
+    write_disc("disc.pgm");
+    CHECK(bake("disc.pgm -o short.exr")["warnings"].empty());
+    CHECK(bake("disc.pgm -o short.exr --scale-f 0.03")["warnings"][0].get<std::string>().find("larger --scale-f") != std::string::npos);
+    write_pgm(work_folder() / "stripes.pgm", 24, 24, [](int x, int) { return x % 2 ? 0 : 255; });
+    CHECK(bake("stripes.pgm -o short.exr")["warnings"][0].get<std::string>().find("larger picture") != std::string::npos);
+}
+
+TEST_CASE("An anti-aliased shape of faint texels is not called empty, nor one of strong ones full") {
+    write_pgm(work_folder() / "faint.pgm", 24, 24, [](int x, int) { return x == 12 ? 200 : 255; });
+    CHECK(bake("faint.pgm -o faint.exr --antialiased")["warnings"].empty());
+    CHECK(bake("faint.pgm -o faint.exr")["warnings"][0].get<std::string>().find("no texel is inside") != std::string::npos);
+    write_pgm(work_folder() / "strong.pgm", 24, 24, [](int x, int) { return x == 12 ? 100 : 0; });
+    for (const json& warning : bake("strong.pgm -o strong.exr --antialiased")["warnings"]) CHECK(warning.get<std::string>().find("every texel") == std::string::npos);
+}
+
 TEST_CASE("Danielsson's method says how wrong it is and promises nothing") {
     const json map = bake(shape_picture("flipper128.png") + " -o d.png --method danielsson")["map"];
     CHECK(map["method"] == "danielsson");
