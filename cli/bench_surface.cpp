@@ -26,13 +26,14 @@ const Words<RevolvedSurface>& revolved_words() {
 void BenchSurfaceCommand::add_to(CLI::App& app) {
     add_choice(app, "NAME", surface_, revolved_words(), "Which surface of revolution")->required();
     app.add_option("--segments", segments_, "Edges around its axis (default 64)")->check(CLI::Range(3, 4096));
+    app.add_option("--shear", shear_, "Adds this to v on the way around: frames that lie across the curvatures (default 0)")->check(CLI::Range(-8, 8));
     app.add_option("-o,--output", output_, "Mesh to write, with quadrics: .glb, .gltf or .ply")->required()->type_name("OUT");
     app.add_flag("--json", json_, "Print one object");
 }
 
 Result<void> BenchSurfaceCommand::run() {
     if (Result<void> fits = check_mesh_output(output_, {}); !fits) return fits;
-    const Result<QuadricBake> bake = bake_quadrics(make_revolved(surface_, segments_), {}, surface_.name);
+    const Result<QuadricBake> bake = bake_quadrics(make_revolved(surface_, segments_, shear_), {}, surface_.name);
     if (!bake) return tl::unexpected(bake.error());
     const nlohmann::json report{{"surface", surface_.name}, {"segments", segments_}, {"radius", surface_.radius}, {"triangles", bake->mesh.triangles.size()}};
     if (Result<void> written = write_mesh(output_, {MeshFormat::ply, {}, {}, {}}, {bake->mesh}, {bake->source}, {}, report); !written) return written;

@@ -16,6 +16,7 @@ class BenchSurfaceCommand : public Command {
   private:
     RevolvedSurface surface_;
     int segments_ = 64;
+    int shear_ = 0;
     std::string output_;
     bool json_ = false;
 };

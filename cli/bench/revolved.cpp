@@ -48,7 +48,7 @@ const std::vector<RevolvedSurface>& revolved_surfaces() {
     return surfaces;
 }
 
-Mesh make_revolved(const RevolvedSurface& s, int segments) {
+Mesh make_revolved(const RevolvedSurface& s, int segments, int shear) {
     const int rows = std::max(2, int(std::lround(segments * rows_per_segment(s))));
     Mesh mesh;
     for (int j = 0; j <= rows; ++j)
@@ -59,7 +59,7 @@ Mesh make_revolved(const RevolvedSurface& s, int segments) {
             const Imath::V3d across = pole ? Imath::V3d(0) : Imath::V3d(std::cos(angle), std::sin(angle), 0);
             mesh.positions.push_back(across * s.r(v) + Imath::V3d(0, 0, s.z(v)));
             mesh.normals.push_back(Imath::V3f((across * s.dz(v) - Imath::V3d(0, 0, s.dr(v))).normalized()));
-            mesh.uvs.push_back({float(i + (pole ? 0.5 : 0)) / float(segments), float(j) / float(rows)});
+            mesh.uvs.push_back({float(i + (pole ? 0.5 : 0)) / float(segments), float(j) / float(rows) + float(shear * i) / float(segments)});
         }
     const auto vertex = [&](int i, int j) { return std::uint32_t(j * (segments + 1) + i); };
     const auto add = [&](const Triangle& t) {

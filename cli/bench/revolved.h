@@ -21,7 +21,8 @@ struct RevolvedSurface {
 const std::vector<RevolvedSurface>& revolved_surfaces();
 
 /// A grid of `segments` around the axis and rows whose edges are about as long as those; vertices at seams are doubled, to the last bit at one place.
-/// u runs around the axis and v up the profile, both from 0 to 1. segments >= 3.
-Mesh make_revolved(const RevolvedSurface& surface, int segments);
+/// u runs around the axis and v up the profile, both from 0 to 1. `shear` is added to v on the way around, so that frames made from texture coordinates lie across the curvatures; whole, so
+/// that a repeated map still meets itself. segments >= 3.
+Mesh make_revolved(const RevolvedSurface& surface, int segments, int shear = 0);
 
 } // namespace reliefbake

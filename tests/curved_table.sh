@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# Judges curved relief beside meshes really displaced: the tables and pictures of docs/CURVED.md.
+#
+#   tests/curved_table.sh [--quick] [-o docs/CURVED.md]
+#
+#   --quick   two surfaces, small pictures of a small map, few rows, no pictures
+#   -o        put the tables into FILE.md (tests/put_table.sh), and the pictures into pictures/curved beside it
+#
+#   RELIEFBAKE_BINARY, RELIEFBAKE_DATA   as for tests/verify_all.sh
+set -euo pipefail
+
+source "$(dirname "$0")/families.sh"
+
+quick='' page=''
+while (($#)); do
+    case $1 in
+        --quick) quick=yes ;;
+        -o) page=$2 && shift ;;
+        *) sed -n '2,9s/^# \{0,1\}//p' "$0" && exit 2 ;;
+    esac
+    shift
+done
+require_tools
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+data=${RELIEFBAKE_DATA:-$here/../../shared/data}
+
+surfaces=(sphere torus cylinder torus-open vase) depths=(0.05 0.1 0.2 0.4 0.6) steps=(5 10 20 25 35) level=1 size=1024x768
+if [[ $quick ]]; then surfaces=(sphere cylinder) depths=(0.1) steps=(5 35) level=3 size=256x192; fi
+most=35
+
+# Maps, meshes, and of each mesh its radius, repeats and views: none looks through an open end.
+declare -A radius tiles views
+for kind in conservative relaxed; do
+    quietly "$tool" cone "$here/data/heights/ambientcg_RoofingTiles009_512.png" --kind $kind --wrap repeat --mips -o "$scratch/$kind.exr" --quiet
+done
+segments() { if [[ $1 == torus* ]]; then echo 224; else echo 64; fi; } # 64 around the tube
+add_surface() {
+    local name=$1 surface=$2
+    shift 2
+    radius[$name]=$("$tool" bench surface "$surface" --segments "$(segments "$surface")" "$@" -o "$scratch/$name.glb" --json | jq .radius)
+    case $surface in
+        sphere) tiles[$name]=4,2 views[$name]= ;;
+        torus) tiles[$name]=5,2 views[$name]= ;;
+        torus-open) tiles[$name]=4,2 views[$name]='--mesh-view 0,0 --mesh-view 20,90' ;;
+        *) tiles[$name]=3,1 views[$name]='--mesh-view 90,20 --mesh-view 90,140' ;;
+    esac
+}
+for surface in "${surfaces[@]}"; do add_surface "$surface" "$surface"; done
+add_surface sheared cylinder --shear 3
+if [[ ! $quick ]]; then
+    if [[ -f $data/meshes/mx_teapot.obj ]]; then
+        "$tool" quadric "$data/meshes/mx_teapot.obj" -o "$scratch/teapot.glb" --json >"$scratch/said" 2>&1
+        radius[teapot]=0.1 tiles[teapot]=2,2 views[teapot]='--mesh-view 90,20 --mesh-view 90,140' surfaces+=(teapot)
+    else
+        echo "curved_table: SKIPPED the teapot: no $data/meshes (RELIEFBAKE_DATA names its parent)" >&2
+    fi
+fi
+
+# judge MESH DEPTH MAP OPTIONS...: one line of JSON. DEPTH: of the mesh's radius.
+judge() {
+    local mesh=$1 depth=$2 map=$3
+    shift 3
+    # shellcheck disable=SC2086 # views are words
+    "$tool" verify "$scratch/$map.exr" --level $level --mesh "$scratch/$mesh.glb" --depth-scale "$(jq -n "$depth * ${radius[$mesh]}")" --mesh-tiles "${tiles[$mesh]}" \
+        ${views[$mesh]} --size $size --json "$@"
+}
+# As IoU, share of the band, and IoU of what is cut away.
+cell='def cell: [.iou, .band_agreement, .cut_iou] | map(. * 1000 | round / 1000 | tostring) | join(", ");'
+
+methods() {
+    cat <<'END'
+cones, no correction|conservative|--correction none
+cones, ray rectified|conservative|--correction ray
+cones, cones rectified|conservative|--correction cone
+cones, bent (ours)|conservative|--correction bent
+relaxed cones, no correction|relaxed|--correction none
+relaxed cones, ray rectified|relaxed|--correction ray
+relaxed cones, cones rectified|relaxed|--correction cone
+relaxed cones, bent (ours)|relaxed|--correction bent
+relief mapping|conservative|--correction ray --technique binary
+END
+}
+
+header() {
+    local row rule='| --- |'
+    row="| $1 |"
+    shift
+    for title in "$@"; do row+=" $title |" rule+=' ---: |'; done
+    printf '%s\n%s\n' "$row" "$rule"
+}
+
+by_method() {
+    header "$most steps, 5 halvings, depth 0.1" "${surfaces[@]}"
+    methods | while IFS='|' read -r name map options; do
+        printf '| %s |' "$name"
+        for surface in "${surfaces[@]}"; do
+            # shellcheck disable=SC2086
+            judge "$surface" 0.1 "$map" --steps $most --binary-steps 5 $options | jq -r "$cell"' " \(cell), \(.depth_mean * 1000 | round / 1000) |"' | tr -d '\n'
+        done
+        echo
+    done
+    for model in flat ab abc circle; do
+        printf '| march without limits, %s |' "$model"
+        for surface in "${surfaces[@]}"; do
+            judge "$surface" 0.1 conservative --ideal $model | jq -r "$cell"' " \(cell), \(.depth_mean * 1000 | round / 1000) |"' | tr -d '\n'
+        done
+        echo
+    done
+}
+
+by_depth() {
+    header "$most steps" "${depths[@]}"
+    for surface in "${surfaces[@]}"; do
+        for correction in none ray cone bent; do
+            printf '| %s, %s |' "$surface" $correction
+            for depth in "${depths[@]}"; do judge "$surface" "$depth" conservative --steps $most --binary-steps 5 --correction $correction | jq -r "$cell"' " \(cell) |"' | tr -d '\n'; done
+            echo
+        done
+    done
+}
+
+by_steps() {
+    header 'depth 0.1' "${steps[@]}"
+    for surface in "${surfaces[@]:0:2}"; do
+        methods | grep -v 'no correction' | while IFS='|' read -r name map options; do
+            printf '| %s, %s |' "$surface" "$name"
+            # shellcheck disable=SC2086
+            for count in "${steps[@]}"; do
+                judge "$surface" 0.1 "$map" --steps "$count" --binary-steps 5 $options | jq -r "$cell"' " \(cell), holes \(.holes * 1e4 / .truth | round / 100) %, steps \(.steps_mean * 10 | round / 10) |"' | tr -d '\n'
+            done
+            echo
+        done
+    done
+}
+
+# A cylinder whose texture winds around it: frames lie 44 degrees across the curvature, and c holds what a and b cannot.
+by_terms() {
+    header 'winding texture, depth 0.1' 'a, b' 'a, b, c'
+    for correction in ray cone bent; do
+        printf '| %s |' $correction
+        for terms in ab abc; do judge sheared 0.1 conservative --steps $most --binary-steps 5 --correction $correction --terms $terms | jq -r "$cell"' " \(cell), holes \(.holes * 1e4 / .truth | round / 100) % |"' | tr -d '\n'; done
+        echo
+    done
+}
+
+# The papers' figures: one view, seen without and with correction, beside the truth.
+pictures() {
+    local folder=$1
+    mkdir -p "$folder"
+    header 'picture' 'IoU, band, cut' 'holes, pixels' 'wrong cover, pixels' 'depth: mean, 99 %' 'steps'
+    for surface in cylinder sphere torus vase; do
+        for correction in none ray bent; do
+            judge "$surface" 0.1 conservative --steps $most --binary-steps 5 --correction $correction --mesh-view "$(if [[ $surface == torus ]]; then echo 55,20; else echo 90,20; fi)" \
+                --pictures "$scratch/pictures" >"$scratch/one"
+            for plane in rendering difference truth; do
+                convert "$scratch"/pictures/mesh-*-020-$plane.png -resize 384x288 -define png:compression-level=9 -strip "$folder/$surface-$correction-$plane.png"
+            done
+            if [[ $correction == none ]]; then mv "$folder/$surface-none-truth.png" "$folder/$surface-truth.png"; else rm "$folder/$surface-$correction-truth.png"; fi
+            jq -r --arg name "$surface, $correction" "$cell"'"| \($name) | \(.views[-1] | cell) | \(.views[-1].holes) | \(.views[-1].wrong_cover) | \(.views[-1].depth_mean * 1000 | round / 1000), \(.views[-1].depth_99 * 1000 | round / 1000) | \(.views[-1].steps_mean * 10 | round / 10) |"' "$scratch/one"
+            rm -r "$scratch/pictures"
+        done
+    done
+}
+
+put() {
+    tee "$scratch/table"
+    if [[ $page ]]; then "$here/put_table.sh" "$page" "$1" <"$scratch/table"; fi
+    echo
+}
+by_method | put methods
+by_depth | put depths
+by_steps | put steps
+by_terms | put terms
+if [[ $page ]]; then pictures "$(dirname "$page")/pictures/curved" | put pictures; fi
