@@ -35,12 +35,12 @@ json report(const std::string& more) {
 
 TEST_CASE("verify judges a map on a mesh, with and without correction") {
     make_files();
-    const json flat = report("--correction none"), bent = report("--steps 100 --pictures pictures"), ideal = report("--ideal circle --ends v");
+    const json flat = report("--correction none"), bent = report("--steps 100 --ends v --pictures pictures"), ideal = report("--ideal circle --ends v");
     for (const char* key : {"iou", "band_agreement", "cut_iou", "holes", "wrong_cover", "not_finite", "base", "truth", "rendering", "band", "depth_mean", "depth_99",
                             "depth_max", "steps_mean", "steps_max", "milliseconds", "depth_scale", "views"})
         CHECK(bent.contains(key));
     CHECK(flat["band_agreement"] < 0.25); // deep reliefs end a march beyond the silhouette early
-    CHECK(bent["band_agreement"] > 0.7);
+    CHECK(bent["band_agreement"] > 0.8);
     CHECK(bent["steps_mean"] > 1);
     CHECK(ideal["band_agreement"] > 0.85);
     CHECK(ideal["iou"] > flat["iou"]);
@@ -81,7 +81,6 @@ TEST_CASE("what does not fit a mesh is refused in a line") {
     refused("verify bumps.exr --correction ray", "--mesh");
     refused("verify spot.png --mesh cylinder.glb", "shape");
     refused("verify bumps.exr --mesh cylinder.glb --ideal ab --steps 20", "--steps");
-    refused("verify bumps.exr --mesh cylinder.glb --ends v", "--ideal");
     refused("verify bumps.exr --mesh cylinder.glb --technique max-mip", "on meshes");
     refused("verify bumps.exr --mesh cylinder.glb --e 1", "--e");
     refused("verify bumps.exr --mesh cylinder.glb --mesh-view 10", "--mesh-view");
