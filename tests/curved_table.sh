@@ -160,22 +160,27 @@ by_terms() {
     done
 }
 
-# The papers' figures: one view, seen without and with correction, beside the truth.
+# The papers' figures: one view without and with correction beside the truth, what differs, and the numbers under each.
 pictures() {
     local folder=$1
     mkdir -p "$folder"
-    header 'picture' 'IoU, band, cut' 'holes, pixels' 'wrong cover, pixels' 'depth: mean, 99 %' 'steps'
     for surface in cylinder sphere torus vase; do
+        local view=90,20 seen='' differs='' numbers=''
+        if [[ $surface == torus ]]; then view=55,20; fi
         for correction in none ray bent; do
-            judge "$surface" 0.1 conservative --size $full_size --steps $most --binary-steps 5 --correction $correction --mesh-view "$(if [[ $surface == torus ]]; then echo 55,20; else echo 90,20; fi)" \
-                --pictures "$scratch/pictures" >"$scratch/one"
-            for plane in rendering difference truth; do
-                convert "$scratch"/pictures/mesh-*-020-$plane.png -resize 384x288 -define png:compression-level=9 -strip "$folder/$surface-$correction-$plane.png"
-            done
-            if [[ $correction == none ]]; then mv "$folder/$surface-none-truth.png" "$folder/$surface-truth.png"; else rm "$folder/$surface-$correction-truth.png"; fi
-            jq -r --arg name "$surface, $correction" "$cell"'"| \($name) | \(.views[-1] | cell) | \(.views[-1].holes) | \(.views[-1].wrong_cover) | \(.views[-1].depth_mean * 1000 | round / 1000), \(.views[-1].depth_99 * 1000 | round / 1000) | \(.views[-1].steps_mean * 10 | round / 10) |"' "$scratch/one"
-            rm -r "$scratch/pictures"
+            local options=(--steps $most --binary-steps 5 --correction $correction)
+            views[$surface]="--mesh-view $view"
+            judge "$surface" 0.1 conservative --size $full_size "${options[@]}" >"$scratch/one"
+            judge "$surface" 0.1 conservative --size 384x288 "${options[@]}" --pictures "$scratch/pictures" >/dev/null
+            for plane in rendering difference; do mv "$scratch"/pictures/mesh-*-020-$plane.png "$folder/$surface-$correction-$plane.png"; done
+            mv "$scratch"/pictures/mesh-*-020-truth.png "$folder/$surface-truth.png"
+            seen+=" ![$surface, $correction](pictures/curved/$surface-$correction-rendering.png) |"
+            differs+=" ![what differs](pictures/curved/$surface-$correction-difference.png) |"
+            numbers+=$(jq -r "$cell"'" IoU, band, cut: \(cell); holes \(.holes), wrong cover \(.wrong_cover) pixels; depth error \(.depth_mean * 1000 | round / 1000), 99 %: \(.depth_99 * 1000 | round / 1000); \(.steps_mean * 10 | round / 10) steps |"' "$scratch/one")
         done
+        [[ $surface == cylinder ]] || echo
+        printf '| %s: no correction | ray rectified (000) | bent (ours) | displaced |\n| --- | --- | --- | --- |\n' "$surface"
+        printf '|%s ![%s, displaced](pictures/curved/%s-truth.png) |\n|%s |\n|%s |\n' "$seen" "$surface" "$surface" "$differs" "$numbers"
     done
 }
 
@@ -186,8 +191,8 @@ put() {
 }
 goal | put goal
 if [[ $quick ]] && ! grep -q '100 steps.* reached' "$scratch/table"; then echo 'curved_table: the correction misses its goal' >&2 && exit 1; fi
-if [[ $page ]]; then pictures "$(dirname "$page")/pictures/curved" | put pictures; fi
 by_steps | put steps
 by_method | put methods
 by_terms | put terms
 by_depth | put depths
+if [[ $page ]]; then pictures "$(dirname "$page")/pictures/curved" | put pictures; fi
