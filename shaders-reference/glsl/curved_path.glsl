@@ -4,13 +4,16 @@
 //
 //   CURVED_PATH  0  straight: the polygon is flat
 //                1  the vertical distance to the quadric: depth(t) = -Vz t + (a Vx^2 + b Vy^2 + c Vx Vy) t^2 (000 formula 12)
-//                2  the distance to a torus with the quadric's two curvatures: exact over spheres, cylinders and the equators of tori
+//                2  the distance to a torus with the quadric's two curvatures: exact over spheres, cylinders and the equators of tori; uv is
+//                   taken to second order, so that texture keeps its place where it widens or turns over the surface
 
 struct CurvedRay {
     vec2 origin;   // uv where it enters, depth 0
     vec3 sight;    // unit, in the tangent frame; z < 0 goes in
     vec3 quadric;  // a, b, c
     mat2 chart;    // uv per (x, y)
+    vec3 bend_u;   // CURVED_PATH 2: second derivatives of u by x and y: xx, xy, yy;
+    vec3 bend_v;   // and of v
     vec4 ends;     // least u, v and greatest u, v of the map on this mesh: where it ends with the mesh, so does the relief
 };
 
@@ -91,6 +94,18 @@ void curved_turn(float k, inout float x, inout float z, inout float x_speed, ino
     x_speed = along / size;
 }
 
+// How much the chart has changed on the way to p, by no more than half of what it was; `mean`: the chart from the entry to p.
+mat2 curved_bends(CurvedRay ray, vec2 place, out mat2 mean) {
+    vec2 p = clamp(place, -1e6, 1e6);
+    mat2 bend = mat2(ray.bend_u.x * p.x + ray.bend_u.y * p.y, ray.bend_v.x * p.x + ray.bend_v.y * p.y,
+                     ray.bend_u.y * p.x + ray.bend_u.z * p.y, ray.bend_v.y * p.x + ray.bend_v.z * p.y);
+    float size = length(bend[0]) + length(bend[1]);
+    float most = 0.5 * (length(ray.chart[0]) + length(ray.chart[1]));
+    bend = size > most ? bend * (most / size) : bend;
+    mean = ray.chart + 0.5 * bend;
+    return bend;
+}
+
 // First the wider circle, then the tighter one, whose height is that above both.
 CurvedPlace curved_place(CurvedRay ray, float t) {
     float mean = ray.quadric.x + ray.quadric.y;
@@ -118,9 +133,13 @@ CurvedPlace curved_place(CurvedRay ray, float t) {
     curved_turn(curvature.y, tight.y, height, tight.x, rise, s2, c2);
 
     CurvedPlace place;
-    place.uv = ray.origin + ray.chart * (wide.y * first + tight.y * second);
+    vec2 p = wide.y * first + tight.y * second;
+    vec2 speed = wide.x * first + tight.x * second;
+    mat2 chart;
+    mat2 bend = curved_bends(ray, p, chart);
+    place.uv = ray.origin + chart * p;
     place.depth = -height;
-    place.along = ray.chart * (wide.x * first + tight.x * second);
+    place.along = (ray.chart + bend) * speed;
     place.sinks = -rise;
     place.up = vec3(s1 * c2 * first + s2 * second, c1 * c2);
     return place;

@@ -23,6 +23,8 @@ in vec4 mesh_tangent;
 in vec2 mesh_uv;
 in vec3 mesh_quadric;
 in vec4 mesh_chart;
+in vec3 mesh_bend_u;
+in vec3 mesh_bend_v;
 
 layout(location = 0) out vec4 out_colour; // linear, tone-mapped; a: 1 where drawn
 layout(location = 1) out vec4 out_place;  // distance from the eye, steps, fetches, status
@@ -81,6 +83,8 @@ void main() {
 #endif
     vec4 chart = mesh_depth_scale * mesh_chart * mesh_tiles.xxyy;
     ray.chart = mat2(chart.x, chart.z, chart.y, chart.w);
+    ray.bend_u = clamp(mesh_depth_scale * mesh_tiles.x * (mesh_depth_scale * mesh_bend_u), -1e12, 1e12); // finite, whatever the mesh holds
+    ray.bend_v = clamp(mesh_depth_scale * mesh_tiles.y * (mesh_depth_scale * mesh_bend_v), -1e12, 1e12);
 
     CurvedHit hit = MESH_TRACE(ray);
     out_place = vec4(0.0, float(hit.steps), float(hit.fetches), float(hit.status));

@@ -6,6 +6,8 @@ layout(location = 2) in vec4 in_tangent; // unit, and the sign of the bitangent:
 layout(location = 3) in vec2 in_uv;      // v down the map
 layout(location = 4) in vec3 in_quadric; // a, b, c per length
 layout(location = 5) in vec4 in_chart;   // du/dx, du/dy, dv/dx, dv/dy: x along the tangent, y along the bitangent, per length
+layout(location = 6) in vec3 in_bend_u;  // u's second derivatives xx, xy, yy, per length^2
+layout(location = 7) in vec3 in_bend_v;
 
 uniform vec3 camera_eye;
 uniform vec3 camera_forward; // unit
@@ -19,6 +21,8 @@ out vec4 mesh_tangent;
 out vec2 mesh_uv;
 out vec3 mesh_quadric;
 out vec4 mesh_chart;
+out vec3 mesh_bend_u;
+out vec3 mesh_bend_v;
 
 void main() {
     mesh_sight = in_position - camera_eye;
@@ -27,6 +31,8 @@ void main() {
     mesh_uv = in_uv;
     mesh_quadric = in_quadric;
     mesh_chart = in_chart;
+    mesh_bend_u = in_bend_u;
+    mesh_bend_v = in_bend_v;
     float ahead = dot(mesh_sight, camera_forward);
     vec2 across = vec2(dot(mesh_sight, camera_right) / dot(camera_right, camera_right), dot(mesh_sight, camera_up) / dot(camera_up, camera_up));
     float depth = (ahead * (camera_range.y + camera_range.x) - 2.0 * camera_range.x * camera_range.y) / (camera_range.y - camera_range.x);

@@ -45,7 +45,8 @@ Object upload(const GlFunctions& gl, const std::vector<MeshVertex>& vertices) {
     gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(MeshVertex)), vertices.data(), GL_STATIC_DRAW);
     const struct { int floats; std::size_t offset; } attributes[] = {
         {3, offsetof(MeshVertex, position)}, {3, offsetof(MeshVertex, normal)},  {4, offsetof(MeshVertex, tangent)},
-        {2, offsetof(MeshVertex, uv)},       {3, offsetof(MeshVertex, quadric)}, {4, offsetof(MeshVertex, chart)}};
+        {2, offsetof(MeshVertex, uv)},       {3, offsetof(MeshVertex, quadric)}, {4, offsetof(MeshVertex, chart)},
+        {3, offsetof(MeshVertex, bend_u)},   {3, offsetof(MeshVertex, bend_v)}};
     GLuint index = 0;
     for (const auto& attribute : attributes) {
         gl.EnableVertexAttribArray(index);

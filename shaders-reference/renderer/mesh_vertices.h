@@ -14,6 +14,7 @@ struct MeshVertex {
     Imath::V2f uv;      ///< v down the map
     Quadric quadric;
     Imath::V4f chart;   ///< du/dx, du/dy, dv/dx, dv/dy over the vertex's frame: the mean of its triangles, by area
+    Imath::V3f bend_u, bend_v; ///< second derivatives of u and of v, xx, xy, yy, per length squared
 };
 
 /// Three vertices a triangle. Triangles with a coordinate that is not finite are left out; an attribute that is not finite is 0.
