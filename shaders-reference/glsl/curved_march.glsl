@@ -34,7 +34,7 @@ CurvedHit curved_halve(CurvedRay ray, float above, CurvedHit hit) {
 CurvedHit curved_march(CurvedRay ray) {
     float bend = max(curved_bend(ray), 0.0);
     float texels = length(ray.chart * ray.sight.xy * vec2(textureSize(relief_map, 0)));
-    float least = 0.125 / max(texels, 1e-3); // where a cone says nothing: an eighth of a texel
+    float least = 0.03125 / max(texels, 1e-3); // no step is shorter than a thirty-second of a texel: rays near the relief or in cones of width 0 do not creep
     float above = 0.0;
     CurvedHit hit = curved_start();
     for (int i = 0; i < relief_max_steps; ++i) {
@@ -71,6 +71,7 @@ CurvedHit curved_march(CurvedRay ray) {
         hit.gap = relief_depth(textureLod(relief_map, place.uv, 0.0)) - place.depth;
         hit.fetches += 1;
         if (hit.gap <= 0.0) hit.status = CURVED_HIT;
+        else if (place.sinks < 0.0) hit.status = CURVED_LEFT; // climbs above the relief: most such rays leave
         if (curved_is_out(ray, place)) hit.status = CURVED_LEFT;
     }
     if (hit.status == CURVED_HIT && hit.gap < 0.0 && hit.t > 0.0) return curved_halve(ray, above, hit);
