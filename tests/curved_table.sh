@@ -94,10 +94,10 @@ header() {
 }
 
 by_method() {
-    header "$most steps, 5 halvings, depth 0.1" "${surfaces[@]}"
+    header "$most steps, 5 halvings, depth 0.1" "${surfaces[@]:0:3}"
     methods | while IFS='|' read -r name map options; do
         printf '| %s |' "$name"
-        for surface in "${surfaces[@]}"; do
+        for surface in "${surfaces[@]:0:3}"; do
             # shellcheck disable=SC2086
             judge "$surface" 0.1 "$map" --steps $most --binary-steps 5 $options | jq -r "$cell"' " \(cell), \(.depth_mean * 1000 | round / 1000) |"' | tr -d '\n'
         done
@@ -105,7 +105,7 @@ by_method() {
     done
     for model in flat ab abc circle; do
         printf '| march without limits, %s |' "$model"
-        for surface in "${surfaces[@]}"; do
+        for surface in "${surfaces[@]:0:3}"; do
             judge "$surface" 0.1 conservative --ideal $model | jq -r "$cell"' " \(cell), \(.depth_mean * 1000 | round / 1000) |"' | tr -d '\n'
         done
         echo
@@ -138,7 +138,7 @@ by_depth() {
 
 by_steps() {
     header 'depth 0.1' "${steps[@]}"
-    for surface in "${surfaces[@]:0:2}"; do
+    for surface in "${surfaces[@]:0:1}"; do
         methods | grep -v 'no correction' | while IFS='|' read -r name map options; do
             printf '| %s, %s |' "$surface" "$name"
             # shellcheck disable=SC2086
