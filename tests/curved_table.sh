@@ -127,7 +127,7 @@ goal() {
 by_depth() {
     header "$most steps" "${depths[@]}"
     for surface in "${surfaces[@]}"; do
-        [[ $surface != torus-open && $surface != teapot ]] || continue
+        [[ $surface != torus* && $surface != teapot ]] || continue
         for correction in none ray cone bent; do
             printf '| %s, %s |' "$surface" $correction
             for depth in "${depths[@]}"; do judge "$surface" "$depth" conservative --steps $most --binary-steps 5 --correction $correction | jq -r "$cell"' " \(cell) |"' | tr -d '\n'; done
