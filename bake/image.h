@@ -1,9 +1,10 @@
 #pragma once
 // One plane of pixels.
 
+#include "bake/large_array.h"
+
 #include <cassert>
 #include <cstddef>
-#include <vector>
 
 namespace reliefbake {
 
@@ -41,7 +42,7 @@ class Image {
   private:
     int width_ = 0;
     int height_ = 0;
-    std::vector<T> pixels_;
+    LargeArray<T> pixels_;
 };
 
 } // namespace reliefbake

@@ -1,7 +1,7 @@
 #pragma once
 // Which triangles meet at each position: the adjacency of a mesh of any topology, by a counting sort.
 
-#include "mesh/large_array.h"
+#include "bake/large_array.h"
 #include "mesh/mesh.h"
 #include "mesh/weld.h"
 

@@ -1,7 +1,7 @@
 #include "mesh/weld.h"
 
 #include "bake/parallel.h"
-#include "mesh/large_array.h"
+#include "bake/large_array.h"
 
 #include <algorithm>
 #include <bit>

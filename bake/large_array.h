@@ -1,5 +1,5 @@
 #pragma once
-// Arrays of a million entries that are written once: where pages are new, touching them costs more than the sums that fill them.
+// Arrays of a million entries and more: where pages are new, touching them costs as much as what fills them.
 
 #include <sys/mman.h>
 
