@@ -9,7 +9,6 @@
 uniform vec3 camera_eye;
 uniform vec3 camera_forward;
 uniform vec2 camera_range;     // near, far
-uniform vec3 scene_sun;        // unit vector towards the light
 uniform vec2 mesh_tiles;       // repeats of the map over one unit of texture coordinates
 uniform vec2 mesh_repeat;      // per axis: 1 the map repeats, 0 clamps
 uniform vec2 mesh_ends;        // per axis: 1 where the map ends with the mesh, at texture coordinates 0 and 1
@@ -28,11 +27,6 @@ in vec3 mesh_bend_v;
 
 layout(location = 0) out vec4 out_colour; // linear, tone-mapped; a: 1 where drawn
 layout(location = 1) out vec4 out_place;  // distance from the eye, steps, fetches, status
-
-const vec3 SUN_COLOUR = vec3(2.75, 2.3, 1.75);
-const vec3 SKY_COLOUR = vec3(0.34, 0.46, 0.68);
-const vec3 BOUNCE_COLOUR = vec3(0.26, 0.18, 0.12);
-const vec3 CLAY = vec3(0.62, 0.44, 0.31);
 
 vec3 unit_or(vec3 v, vec3 other) {
     float size = length(v);
@@ -53,12 +47,6 @@ vec3 relief_in_frame(CurvedPlace place, mat2 chart) {
     vec2 slope = -n.xy / max(n.z, 1e-3) / mesh_normal_scale; // change of height per texture width, x along u, y up the image
     return unit_or(vec3(-(vec2(slope.x, -mesh_aspect * slope.y) * chart), 1.0), vec3(0.0, 0.0, 1.0));
 #endif
-}
-
-vec3 shade(vec3 normal) {
-    vec3 ambient = mix(BOUNCE_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.z);
-    vec3 x = 0.62 * CLAY * (SUN_COLOUR * max(dot(normal, scene_sun), 0.0) + ambient);
-    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
 }
 
 void main() {
@@ -106,7 +94,7 @@ void main() {
     vec3 normal = local.x * x_axis + local.y * y_axis + local.z * place.up;
     normal = unit_or(normal.x * tangent + normal.y * bitangent + normal.z * up, up);
 
-    out_colour = vec4(shade(normal), 1.0);
+    out_colour = vec4(lit_clay(normal), 1.0);
     out_place.x = length(sight);
     float ahead = max(dot(sight, camera_forward), camera_range.x);
     gl_FragDepth = clamp(camera_range.y * (1.0 - camera_range.x / ahead) / (camera_range.y - camera_range.x), 0.0, 1.0);

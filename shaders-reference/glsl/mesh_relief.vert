@@ -9,12 +9,6 @@ layout(location = 5) in vec4 in_chart;   // du/dx, du/dy, dv/dx, dv/dy: x along 
 layout(location = 6) in vec3 in_bend_u;  // u's second derivatives xx, xy, yy, per length^2
 layout(location = 7) in vec3 in_bend_v;
 
-uniform vec3 camera_eye;
-uniform vec3 camera_forward; // unit
-uniform vec3 camera_right;   // half the picture's width at distance 1
-uniform vec3 camera_up;      // half the picture's height at distance 1
-uniform vec2 camera_range;   // near, far
-
 out vec3 mesh_sight;  // from the eye
 out vec3 mesh_normal;
 out vec4 mesh_tangent;
@@ -33,8 +27,5 @@ void main() {
     mesh_chart = in_chart;
     mesh_bend_u = in_bend_u;
     mesh_bend_v = in_bend_v;
-    float ahead = dot(mesh_sight, camera_forward);
-    vec2 across = vec2(dot(mesh_sight, camera_right) / dot(camera_right, camera_right), dot(mesh_sight, camera_up) / dot(camera_up, camera_up));
-    float depth = (ahead * (camera_range.y + camera_range.x) - 2.0 * camera_range.x * camera_range.y) / (camera_range.y - camera_range.x);
-    gl_Position = vec4(across, depth, ahead);
+    gl_Position = camera_projected(mesh_sight);
 }

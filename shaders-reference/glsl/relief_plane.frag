@@ -15,12 +15,6 @@ layout(location = 2) out vec4 out_counts; // steps, fetches, status, t
 layout(location = 3) out vec4 out_ray;    // origin u, v and direction du, dv per unit of descent
 layout(location = 4) out vec4 out_light;  // share of the sun seen, 0 where the relief faces away from it
 
-// Filmic curve with a toe, so that shadows stay dark (Narkowicz 2016, fit to ACES).
-vec3 tone_map(vec3 colour) {
-    vec3 x = 0.62 * colour;
-    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
-}
-
 vec3 background(float height) { return mix(vec3(0.06, 0.065, 0.075), vec3(0.035, 0.037, 0.042), clamp(height, 0.0, 1.0)); }
 
 void main() {

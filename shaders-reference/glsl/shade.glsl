@@ -1,16 +1,11 @@
-// Clay under a warm low sun and a blue sky. Needs relief_map.glsl and relief_cones.glsl.
+// Clay under a warm low sun and a blue sky. Needs relief_map.glsl, relief_cones.glsl and light.glsl.
 // World: x along u, y up the image, z up; unit: one texture width; z = 0 is the polygon, z = -relief_depth_scale the floor.
 //
 //   SCENE_SHADOW        0 none, 1 hard, 2 by height, 3 by cones (001 sec. 4.4), 4 by a horizon map (needs horizon.glsl)
 //   SCENE_AMBIENT       0 none, 1 cone ratio, 2 cone normal (001 sec. 4.5)
 //   RELIEF_EMPTY_CONES  1 when the cones hold nothing of the relief
 
-uniform vec3 scene_sun;          // unit vector towards the light, z > 0
 uniform int scene_shadow_steps;
-
-const vec3 SUN_COLOUR = vec3(2.75, 2.3, 1.75);
-const vec3 SKY_COLOUR = vec3(0.34, 0.46, 0.68);
-const vec3 BOUNCE_COLOUR = vec3(0.26, 0.18, 0.12);
 
 #if SCENE_SHADOW == 4
 float sun_visibility(vec2 uv, float height) { return horizon_visibility(uv, scene_sun, 0.035); }
@@ -101,7 +96,7 @@ vec3 shade_relief(vec2 uv, vec3 view, out float lit) {
 #endif
     sun *= lit;
 
-    vec3 ambient = mix(BOUNCE_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.z) * sky_visibility(texel, uv);
+    vec3 ambient = ambient_light(normal) * sky_visibility(texel, uv);
     vec3 colour = clay(height) * (SUN_COLOUR * sun + ambient);
     vec3 half_way = normalize(scene_sun - view);
     colour += 0.16 * SUN_COLOUR * sun * pow(max(dot(normal, half_way), 0.0), 36.0);

@@ -10,7 +10,6 @@ uniform vec3 camera_right;   // half the picture's width at distance 1
 uniform vec3 camera_up;      // half the picture's height at distance 1
 uniform vec2 camera_range;   // near, far
 uniform vec2 picture_size;   // pixels
-uniform vec3 scene_sun;      // unit vector towards the light
 uniform vec4 plane_bounds;   // u low, v low, u high, v high
 uniform vec2 solid_repeat;   // per axis: 1 when the plane goes on beyond the map
 
@@ -21,17 +20,7 @@ layout(location = 3) out vec4 out_direction; // dP per unit of t, gap
 layout(location = 4) out vec4 out_normal;    // in the world, not bumped; a: 1 on the face where the ray entered, 2 on the floor
 layout(location = 5) out vec4 out_bumped;    // the normal that is shaded
 
-const vec3 SUN_COLOUR = vec3(2.75, 2.3, 1.75);
-const vec3 SKY_COLOUR = vec3(0.34, 0.46, 0.68);
-const vec3 BOUNCE_COLOUR = vec3(0.26, 0.18, 0.12);
-const vec3 CLAY = vec3(0.62, 0.44, 0.31);
 const vec3 FLOOR = vec3(0.20, 0.21, 0.24);
-
-// Filmic curve with a toe, so that shadows stay dark (Narkowicz 2016, fit to ACES).
-vec3 tone_map(vec3 colour) {
-    vec3 x = 0.62 * colour;
-    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
-}
 
 vec3 background(float height) { return mix(vec3(0.06, 0.065, 0.075), vec3(0.035, 0.037, 0.042), clamp(height, 0.0, 1.0)); }
 
@@ -101,7 +90,7 @@ vec3 shaded(vec3 p, vec3 base, vec3 normal, vec3 smooth_normal, vec3 view) {
     float sun = max(dot(normal, scene_sun), 0.0);
     if (sun > 0.0 && dot(smooth_normal, scene_sun) > 0.0 && in_shadow(p, smooth_normal)) sun = 0.0;
     // The sky above, light thrown back from below, and a weak lamp beside the eye, so that walls in the shade keep their form.
-    vec3 ambient = mix(BOUNCE_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.z);
+    vec3 ambient = ambient_light(normal);
     float lamp = 0.35 * pow(max(dot(normal, normalize(vec3(-view.y, view.x, 0.4) - 1.2 * view)), 0.0), 1.5);
     vec3 colour = base * (SUN_COLOUR * sun + ambient + lamp);
     vec3 half_way = normalize(scene_sun - view);

@@ -48,7 +48,7 @@ nlohmann::json numbers_of(const MeshComparison& c) {
             {"steps_max", c.steps_max}};
 }
 
-/// Clay as in glsl/mesh_plain.frag.
+/// Clay as in glsl/light.glsl.
 Quad clay(const Imath::V3f& normal, const Vec3& light) {
     constexpr float sun_colour[] = {2.75f, 2.3f, 1.75f}, sky[] = {0.34f, 0.46f, 0.68f}, bounce[] = {0.26f, 0.18f, 0.12f}, base[] = {0.62f, 0.44f, 0.31f};
     const float lit = std::max(0.0f, float(normal.x * light[0] + normal.y * light[1] + normal.z * light[2])), up = 0.5f + 0.5f * normal.z;

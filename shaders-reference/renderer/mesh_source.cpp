@@ -4,7 +4,7 @@
 
 namespace reliefbake {
 
-std::string mesh_vertex_source(Prelude prelude) { return prelude_text(prelude) + std::string(shader_text("mesh_relief.vert")); }
+std::string mesh_vertex_source(Prelude prelude) { return prelude_text(prelude).append(shader_text("mesh_camera.glsl")).append(shader_text("mesh_relief.vert")); }
 
 std::string mesh_fragment_source(const MeshConfig& config, Prelude prelude) {
     std::string source = prelude_text(prelude);
@@ -30,6 +30,7 @@ std::string mesh_fragment_source(const MeshConfig& config, Prelude prelude) {
     } else {
         for (const char* file : {"relief_map.glsl", "relief_cones.glsl", "curved_path.glsl", "curved_march.glsl"}) source += shader_text(file);
     }
+    source += shader_text("light.glsl");
     source += shader_text("mesh_relief.frag");
     return source;
 }

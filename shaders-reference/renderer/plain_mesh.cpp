@@ -45,8 +45,10 @@ Result<PlainMeshRenderer> PlainMeshRenderer::create(RendererBackend backend) {
     auto state = std::make_unique<State>();
     if (Result<void> opened = state->screen.open(backend); !opened) return tl::unexpected<Error>(opened.error());
     const GlFunctions& gl = state->screen.gl();
-    const auto source = [](const char* file) { return prelude_text(Prelude::core330) + std::string(shader_text(file)); };
-    Result<GlProgram> program = make_program(gl, source("mesh_plain.vert"), source("mesh_plain.frag"));
+    const auto source = [](const char* shared, const char* file) {
+        return prelude_text(Prelude::core330).append(shader_text(shared)).append(shader_text(file));
+    };
+    Result<GlProgram> program = make_program(gl, source("mesh_camera.glsl", "mesh_plain.vert"), source("light.glsl", "mesh_plain.frag"));
     if (!program) return tl::unexpected<Error>(program.error());
     state->program = std::move(*program);
     GLuint name = 0;

@@ -103,6 +103,7 @@ std::string fragment_source(const ShaderConfig& config, Prelude prelude) {
     source += shader_text("relief_cones.glsl");
     for (const std::string_view file : technique.files) source += shader_text(file);
     if (config.shadow == Shadow::horizon) source += shader_text("horizon.glsl");
+    source += shader_text("light.glsl");
     source += shader_text("shade.glsl");
     source += shader_text("relief_plane.frag");
     return source;

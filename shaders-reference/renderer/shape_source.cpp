@@ -35,6 +35,7 @@ std::string solid_fragment_source(const SolidConfig& config, Prelude prelude) {
     if (config.scheme == CircleScheme::published) source += shader_text("circle_trace_published.glsl");
     if (config.scheme == CircleScheme::given) source += shader_text("given_solid_hit.glsl");
     source += shader_text("solid_texture.glsl");
+    source += shader_text("light.glsl");
     source += shader_text("solid_scene.frag");
     return source;
 }

@@ -8,6 +8,7 @@
 #include "shaders-reference/measure/verify_mesh.h"
 #include "shaders-reference/renderer/mesh_source.h"
 #include "tests/support/fields.h"
+#include "tests/support/glslang_check.h"
 #include "tests/support/slow_cones.h"
 
 #include <catch2/catch.hpp>
@@ -15,11 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-
-#include <unistd.h>
 
 using namespace reliefbake;
 using namespace reliefbake::test;
@@ -74,17 +71,9 @@ Mesh plane_mesh(double aspect, int tiles, int n) {
 } // namespace
 
 TEST_CASE("every shader of curved meshes is valid under all three preludes", "[shaders][mesh]") {
-    const auto folder = std::filesystem::temp_directory_path() / ("reliefbake_meshes." + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
-    std::string files;
-    int number = 0;
-    const auto add = [&](const char* stage, const std::string& text) {
-        const auto path = folder / (std::to_string(number++) + stage);
-        std::ofstream(path) << text;
-        files.append(" ").append(path.string());
-    };
+    GlslangCheck check;
     for (const Prelude prelude : {Prelude::core330, Prelude::core450, Prelude::es300}) {
-        add(".vert", mesh_vertex_source(prelude));
+        check.add(mesh_vertex_source(prelude), ".vert");
         for (int path = 0; path < 3; ++path)
             for (int bits = 0; bits < 32; ++bits) {
                 MeshConfig config;
@@ -95,15 +84,10 @@ TEST_CASE("every shader of curved meshes is valid under all three preludes", "[s
                 config.twist = bits & 4, config.keep = bits & 8;
                 config.shape_unorm = bits & 16, config.shape_signed = bits & 2;
                 config.decoder.sectors = bits & 16 ? 8 : 0;
-                add(".frag", mesh_fragment_source(config, prelude));
+                check.add(mesh_fragment_source(config, prelude), ".frag");
             }
     }
-    const auto log = folder / "log.txt";
-    const int status = std::system((std::string(GLSLANG_VALIDATOR) + files + " > " + log.string()).c_str());
-    std::ifstream messages(log);
-    INFO(std::string(std::istreambuf_iterator<char>(messages), {}));
-    CHECK(status == 0);
-    std::filesystem::remove_all(folder);
+    CHECK(check.faults() == "");
 }
 
 TEST_CASE("A flat mesh shows what the renderer of planes shows", "[renderer][mesh]") {

@@ -1,15 +1,13 @@
 #include "shaders-reference/renderer/shader_source.h"
 
+#include "tests/support/glslang_check.h"
+
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <vector>
 
-#include <unistd.h>
-
 using namespace reliefbake;
+using namespace reliefbake::test;
 
 namespace {
 
@@ -54,26 +52,12 @@ std::vector<ShaderConfig> configurations() {
 } // namespace
 
 TEST_CASE("every shader is valid under all three preludes", "[shaders]") {
-    const auto folder = std::filesystem::temp_directory_path() / std::string("reliefbake_shaders.").append(std::to_string(getpid()));
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    std::string files;
-    int number = 0;
-    const auto add = [&](const std::string& source, const char* extension) {
-        const auto path = folder / (std::to_string(number++) + extension);
-        std::ofstream(path) << source;
-        files.append(" ").append(path.string());
-    };
+    GlslangCheck check;
     for (const Prelude prelude : preludes) {
-        add(vertex_source(prelude), ".vert");
-        for (const ShaderConfig& config : configurations()) add(fragment_source(config, prelude), ".frag");
+        check.add(vertex_source(prelude), ".vert");
+        for (const ShaderConfig& config : configurations()) check.add(fragment_source(config, prelude), ".frag");
     }
-    const auto log = folder / "log.txt";
-    const int status = std::system((std::string(GLSLANG_VALIDATOR) + files + " > " + log.string()).c_str());
-    std::ifstream messages(log);
-    INFO(std::string(std::istreambuf_iterator<char>(messages), {}));
-    CHECK(status == 0);
-    std::filesystem::remove_all(folder);
+    CHECK(check.faults() == "");
 }
 
 TEST_CASE("shaders keep to what all three languages have", "[shaders]") {

@@ -1,16 +1,12 @@
 #include "shaders-reference/measure/compare_solid.h"
 #include "tests/support/fields.h"
+#include "tests/support/glslang_check.h"
 #include "tests/support/shapes.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
 
 using namespace reliefbake;
 using namespace reliefbake::test;
@@ -57,10 +53,7 @@ constexpr Growth growths[] = {{0, 0, INFINITY}, {0.06, 0, INFINITY}, {0, 0.2, IN
 } // namespace
 
 TEST_CASE("every shader of solids is valid under all three preludes", "[shaders][solid]") {
-    const auto folder = std::filesystem::temp_directory_path() / ("reliefbake_solids." + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
-    std::string files;
-    int number = 0;
+    GlslangCheck check;
     for (const Prelude prelude : {Prelude::core330, Prelude::core450, Prelude::es300})
         for (const CircleScheme scheme : {CircleScheme::corrected, CircleScheme::published, CircleScheme::given})
             for (const Projection projection : {Projection::planar, Projection::cylindrical, Projection::spherical})
@@ -71,16 +64,9 @@ TEST_CASE("every shader of solids is valid under all three preludes", "[shaders]
                     config.on_plane = bits & 1 && projection == Projection::planar;
                     config.unorm = bits & 2, config.signed_distance = bits & 4;
                     config.colour = config.shadow = config.bump = bits & 8;
-                    const auto path = folder / (std::to_string(number++) + ".frag");
-                    std::ofstream(path) << solid_fragment_source(config, prelude);
-                    files.append(" ").append(path.string());
+                    check.add(solid_fragment_source(config, prelude), ".frag");
                 }
-    const auto log = folder / "log.txt";
-    const int status = std::system((std::string(GLSLANG_VALIDATOR) + files + " > " + log.string()).c_str());
-    std::ifstream messages(log);
-    INFO(std::string(std::istreambuf_iterator<char>(messages), {}));
-    CHECK(status == 0);
-    std::filesystem::remove_all(folder);
+    CHECK(check.faults() == "");
 }
 
 TEST_CASE("no ray misses a solid, in any kind, place, view and bit depth", "[renderer][solid]") {
