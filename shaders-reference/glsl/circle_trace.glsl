@@ -8,8 +8,6 @@
 //
 // with the distance that guarantee S leaves: no step enters the solid. A denominator <= 0: the ray flees and never arrives.
 
-float solid_quotient(float way, float rate) { return rate > 0.0 ? way / rate : 1e30; }
-
 SolidHit circle_trace(SolidRay ray, float t_end) {
     float speed = solid_speed(ray.direction);
     SolidHit hit = solid_start();

@@ -7,8 +7,6 @@ float curved_solid_gap(CurvedPlace place) {
     return shape_safe(shape_distance(solid_texel(curved_solid_place(place)))) - solid_widened(place.depth);
 }
 
-float curved_quotient(float way, float rate) { return rate > 0.0 ? way / rate : 1e30; }
-
 CurvedHit curved_extrusion(CurvedRay ray) {
     float bend = max(curved_bend(ray), 0.0);
     float above = 0.0;
@@ -30,10 +28,10 @@ CurvedHit curved_extrusion(CurvedRay ray) {
         float speed = length(vec2(place.along.x, shape_aspect * place.along.y));
         bool widening = place.depth < solid_chamfer;
         float sinks = max(place.sinks, 0.0);
-        float step = curved_quotient(hit.gap, widening ? speed + solid_bevel * sinks : speed);
+        float step = solid_quotient(hit.gap, widening ? speed + solid_bevel * sinks : speed);
         float beyond_foot = distance - solid_widened(solid_chamfer);
-        if (widening && beyond_foot > 0.0) step = max(step, curved_quotient(beyond_foot, speed));
-        if (bend > 0.0) step = 2.0 * step / (1.0 + sqrt(1.0 + 4.0 * step * bend / max(place.sinks, 1e-6)));
+        if (widening && beyond_foot > 0.0) step = max(step, solid_quotient(beyond_foot, speed));
+        step = curved_shortened(step, bend, place.sinks);
         if (place.sinks > 0.0) step = min(step, (1.0 - place.depth) / place.sinks + 1e-4); // the floor
         if (step > 1e20) {
             hit.status = CURVED_LEFT;

@@ -61,8 +61,7 @@ CurvedHit curved_march(CurvedRay ray) {
             hit.status = CURVED_LEFT;
             return hit;
         }
-        float step = look.advance;
-        if (bend > 0.0) step = 2.0 * step / (1.0 + sqrt(1.0 + 4.0 * step * bend / max(place.sinks, 1e-6)));
+        float step = curved_shortened(look.advance, bend, place.sinks);
         above = hit.t;
         hit.t += max(step, least);
     }

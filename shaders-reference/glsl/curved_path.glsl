@@ -61,6 +61,11 @@ float curved_bend(CurvedRay ray) {
 #endif
 }
 
+// A step that must not leave a cone or circle when the way turns inwards by `bend` s^2: s + bend s^2 / sinks stands for s.
+float curved_shortened(float step, float bend, float sinks) {
+    return bend > 0.0 ? 2.0 * step / (1.0 + sqrt(1.0 + 4.0 * step * bend / max(sinks, 1e-6))) : step;
+}
+
 // First t > 0 at depth 0 or 1, 1e30 for none (the corrected tMax of 000). The floor: bend t^2 - Vz t - 1 = 0, without cancellation.
 float curved_end(CurvedRay ray) {
     float bend = curved_bend(ray);

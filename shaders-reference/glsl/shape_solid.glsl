@@ -62,6 +62,9 @@ float solid_speed(vec3 direction) {
 
 float solid_widened(float z) { return solid_outward + solid_bevel * min(z, solid_chamfer); }
 
+// Time for a way at a rate; none, where it is never gone.
+float solid_quotient(float way, float rate) { return rate > 0.0 ? way / rate : 1e30; }
+
 vec4 solid_texel(vec3 place) { return textureLod(shape_map, place.xy, 0.0); }
 
 // Towards the outside of the solid at a place, in the world: x along u, y up the image (revolution: x, y around the axis), z up.
