@@ -10,6 +10,7 @@
 #include "cli/bench_shape.h"
 #include "cli/bench_peer.h"
 #include "cli/bench_quadric.h"
+#include "cli/bench_render.h"
 #include "cli/bench_surface.h"
 #include "cli/explain.h"
 #include "cli/render.h"
@@ -39,6 +40,7 @@ constexpr CommandEntry all_commands[] = {
     {"bench shape", "Time the distance transform, beside others", make<BenchShapeCommand>},
     {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},
     {"bench quadric", "Time the fit of quadrics, and judge it on known surfaces", make<BenchQuadricCommand>},
+    {"bench render", "Time the frames of a cone map", make<BenchRenderCommand>},
     {"bench surface", "Write a mesh of a known surface, for curved relief", make<BenchSurfaceCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},

@@ -1,7 +1,7 @@
 #include "cli/render.h"
 
 #include "cli/map_hint_options.h"
-#include "cli/number_options.h"
+#include "cli/picture_options.h"
 #include "cli/render_choices.h"
 #include "formats/bump_file.h"
 #include "formats/map_kind.h"
@@ -11,56 +11,8 @@
 #include "shaders-reference/measure/stored_depth.h"
 
 #include <filesystem>
-#include <tuple>
 
 namespace reliefbake {
-
-namespace {
-
-const NumberRule view_angle = {[](double x) { return x >= 0 && x <= 180; }, "degrees from 0 to 180"};
-const NumberRule any_angle = {[](double x) { return x >= -360 && x <= 360; }, "degrees from -360 to 360"};
-const NumberRule elevation = {[](double x) { return x > 0 && x <= 90; }, "degrees above 0, up to 90"};
-
-/// --shadow, or --shadow WORD.
-void add_shadow(CLI::App& app, Shadow& shadow) {
-    const auto assign = [&shadow](const std::string& given) {
-        if (given.empty()) {
-            shadow = Shadow::height_soft;
-            return;
-        }
-        for (const auto& [word, meaning] : shadow_words)
-            if (word == given) {
-                shadow = meaning;
-                return;
-            }
-        throw CLI::ValidationError("--shadow", "expected " + alternatives(shadow_words) + ", found '" + given + "'");
-    };
-    app.add_option_function<std::string>("--shadow", assign, "March to the sun too, or ask a horizon map (alone: height-soft)")
-        ->expected(0, 1)
-        ->type_name(alternatives(shadow_words));
-}
-
-void add_view_options(CLI::App& app, RenderOptions& picture) {
-    app.option_defaults()->group("View");
-    add_number(app, "--view", picture.view.angle, view_angle,
-               "Degrees between the line of sight and the relief's normal, below 90 for planes (default 45)");
-    add_number(app, "--azimuth", picture.view.azimuth, any_angle,
-               "Heading of the line of sight, degrees clockwise from up the image (default 0)");
-    add_number(app, "--span", picture.view.span, positive_number,
-               "Texture widths seen across the picture (default: the whole plane)");
-    add_number(app, "--sun-azimuth", picture.sun.azimuth, any_angle,
-               "Where light comes from, degrees clockwise from the heading (default -55)");
-    add_number(app, "--sun-elevation", picture.sun.elevation, elevation, "Degrees above the plane (default 30)");
-    app.add_option("--tiles", picture.tiles, "Repeats of the map per axis (default 1)")->check(CLI::Range(1, 1000));
-    app.add_flag("--endless", picture.endless, "A plane without border (repeated maps)");
-    app.add_option_function<std::string>(
-           "--size", [&picture](const std::string& text) { std::tie(picture.width, picture.height) = require_size("--size", text); },
-           "Picture in pixels (default 1024x768)")
-        ->type_name("WxH");
-    app.add_option("--supersample", picture.supersample, "Rays per pixel and axis (default 1)")->check(CLI::Range(1, 8));
-}
-
-} // namespace
 
 void RenderCommand::add_to(CLI::App& app) {
     app_ = &app;
@@ -73,7 +25,7 @@ void RenderCommand::add_to(CLI::App& app) {
     app.option_defaults()->group("Technique");
     add_technique_options(app, options_.technique, options_.picture.max_steps);
     app.option_defaults()->group("Light");
-    add_shadow(app, options_.picture.shadow);
+    add_shadow_options(app, options_.picture);
     app.add_option("--horizon", options_.horizons, "Horizon map of the same heights (reliefbake bump --kind horizon), for --shadow horizon")
         ->type_name("FILE");
     add_choice(app, "--ao", options_.picture.ambient, ambient_words,
@@ -130,7 +82,7 @@ Result<void> RenderCommand::run_mesh(const std::string& kind) const {
 
 Result<void> RenderCommand::run_shape() const {
     if (Result<void> hinted = refuse_hints(options_.hints, options_.file, "shape"); !hinted) return hinted;
-    Result<void> fits = refuse_given(*app_, "", {"--technique", "--exact-finish", "--ao", "--endless", "--error", "--horizon"}, options_.file + " is a shape map, which does not take it");
+    Result<void> fits = refuse_given(*app_, "", {"--technique", "--exact-finish", "--ao", "--endless", "--error", "--horizon", "--shadow-steps"}, options_.file + " is a shape map, which does not take it");
     if (!fits) return fits;
     return render_shape({options_.file, options_.hints.max_bytes, options_.output, options_.picture, options_.technique.steps, options_.technique.binary_steps, options_.backend},
                         options_.shape);
@@ -154,6 +106,7 @@ Result<void> RenderCommand::run() {
     if (on_mesh) return run_mesh(*kind);
     if (Result<void> fits = refuse_given(*app_, solid_group, {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
     if (options_.picture.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
+    if (Result<void> fits = check_shadow_options(*app_, options_.picture); !fits) return fits;
     if ((options_.picture.shadow == Shadow::horizon) == options_.horizons.empty())
         return fail(ErrorCode::usage, options_.horizons.empty() ? "--shadow horizon: needs --horizon FILE" : "--horizon: needs --shadow horizon");
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
@@ -165,11 +118,7 @@ Result<void> RenderCommand::run() {
         return fail(ErrorCode::usage, "--endless, --tiles: need a map that repeats; this one is clamped");
     const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, picture.max_steps);
     if (!technique) return tl::unexpected(technique.error());
-    picture.technique = technique->technique;
-    picture.exact_finish = technique->exact_finish;
-    picture.max_steps = technique->max_steps;
-    picture.linear_steps = technique->linear_steps;
-    picture.binary_steps = technique->binary_steps;
+    apply(*technique, picture);
     const Result<Rendering> rendering = draw(*map, picture);
     if (!rendering) return tl::unexpected(rendering.error());
     if (!options_.error.empty())

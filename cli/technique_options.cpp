@@ -35,4 +35,12 @@ Result<ResolvedTechnique> resolve_technique(const TechniqueOptions& options, con
     return resolved;
 }
 
+void apply(const ResolvedTechnique& technique, RenderOptions& picture) {
+    picture.technique = technique.technique;
+    picture.exact_finish = technique.exact_finish;
+    picture.max_steps = technique.max_steps;
+    picture.linear_steps = technique.linear_steps;
+    picture.binary_steps = technique.binary_steps;
+}
+
 } // namespace reliefbake

@@ -25,6 +25,8 @@ struct ResolvedTechnique {
     int max_steps, linear_steps, binary_steps;
 };
 
+void apply(const ResolvedTechnique& technique, RenderOptions& picture);
+
 /// Refuses (usage) options that the technique does not use.
 Result<ResolvedTechnique> resolve_technique(const TechniqueOptions& options, const ReliefMap& map, int march_steps);
 

@@ -169,3 +169,23 @@ TEST_CASE("Cones alone go with a relief map") {
     CHECK(verified("beside.png")["verdict"] == "safe");
     CHECK(run_tool("acm " + height + " -o eight.exr --sectors 8 --relief beside.png").status == 2); // named holds it itself
 }
+
+TEST_CASE("bench render counts the same work however many frames it times, and a shadow's march costs time") {
+    require_bake("cone " + height_map("gz_dem_squared_129.tif") + " -o timed.exr --wrap repeat");
+    const auto timed = [](const std::string& options) {
+        const Outcome outcome = run_tool("bench render timed.exr --view 60 --endless --span 1 --size 64x48 " + options + " --json");
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return json::parse(outcome.out);
+    };
+    const json once = timed("--frames 1 --technique linear --steps 10"), thrice = timed("--frames 3 --technique linear --steps 10");
+    CHECK(once["rays"] == 64 * 48);
+    CHECK(once["steps_mean"] == thrice["steps_mean"]);
+    CHECK(once["steps_mean"] > 1);
+    CHECK(once["steps_mean"] <= 10);
+    CHECK(thrice["milliseconds_least"] <= thrice["milliseconds_median"]);
+    CHECK(timed("--technique linear --steps 40")["steps_mean"] > 3 * once["steps_mean"].get<double>());
+    CHECK(timed("--shadow hard --shadow-steps 20")["milliseconds_least"] > 0);
+    for (const char* refused : {"--shadow-steps 20", "--shadow horizon", "--view 90", "--technique parallax --steps 3"})
+        CHECK(run_tool(std::string("bench render timed.exr ") + refused).status == 2);
+}
