@@ -3,6 +3,7 @@
 #include "shaders-reference/measure/heat_map.h"
 #include "shaders-reference/measure/stored_depth.h"
 #include "shaders-reference/measure/tightness.h"
+#include "shaders-reference/measure/view_frame.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,8 +12,6 @@
 namespace reliefbake {
 namespace {
 
-constexpr double narrow_field = 10;     ///< degrees: every ray of a view has nearly the view's angle
-constexpr double flattest_picture = 40; ///< width over height at grazing views of one tile
 constexpr double brightest_steps = 64;
 
 struct ViewAngle {
@@ -27,22 +26,13 @@ std::vector<ViewAngle> view_angles() {
     return views;
 }
 
-/// A frame of about `rays` pixels. A clamped map shows one tile, which grazing views foreshorten: the picture's shape
-/// follows, so that rays are not wasted on the background.
 RenderOptions frame(const TexelGrid& grid, const ViewAngle& view, int rays, const VerifyOptions& options) {
-    const bool endless = grid.wrap_x == Wrap::repeat && grid.wrap_y == Wrap::repeat;
-    const double foreshortened = 1 / std::max(std::cos(view.angle * 3.14159265358979 / 180), 1 / flattest_picture);
-    const double aspect = endless ? 4.0 / 3 : foreshortened;
-    RenderOptions result;
+    RenderOptions result = view_frame(grid, view.angle, view.azimuth, rays);
     result.technique = options.technique;
     result.exact_finish = options.exact_finish;
-    result.width = std::max(8, int(std::lround(std::sqrt(rays * aspect))));
-    result.height = std::max(8, int(std::lround(std::sqrt(rays / aspect))));
     result.max_steps = options.max_steps;
     result.linear_steps = options.linear_steps;
     result.binary_steps = options.binary_steps;
-    result.endless = endless;
-    result.view = {view.angle, view.azimuth, narrow_field, 0};
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <optional>
 
 namespace reliefbake {
@@ -208,12 +209,14 @@ Result<Rendering> ReliefRenderer::render(const RenderOptions& options) {
     screen.bind(map_unit, state.textures.map);
 
     // Draw.
+    const std::clock_t cpu_start = std::clock();
     const auto start = std::chrono::steady_clock::now();
     screen.begin(*program);
     state.set_uniforms(*program, options);
     screen.draw();
     Rendering rendering;
     rendering.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    rendering.cpu_seconds = double(std::clock() - cpu_start) / CLOCKS_PER_SEC;
 
     // Read back.
     rendering.colour = resolve_picture(screen.read_plane(0), options.supersample);

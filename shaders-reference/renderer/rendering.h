@@ -36,6 +36,7 @@ struct Rendering {
     Image<float> depth; ///< device depth in [0,1]; 1 where there is no relief
     RgbImage colour;
     double seconds = 0; ///< drawing, up to glFinish
+    double cpu_seconds = 0; ///< the process's processor time meanwhile, all threads; of planes of relief alone
 
     int width() const { return hit.width(); }
     int height() const { return hit.height(); }
