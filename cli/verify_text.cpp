@@ -13,15 +13,15 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 std::string rays_line(const char* label, const Comparison& rays) {
-    return format("%-12s %8llu %9.4f %9.4f %10.2e %7.1f %6.0f %8.1f\n", label,
-                static_cast<unsigned long long>(rays.rays), percent(rays.missed, rays.rays),
+    return format("%-12s %8llu %9.4f %10.4f %9.4f %10.2e %7.1f %6.0f %8.1f\n", label,
+                static_cast<unsigned long long>(rays.rays), percent(rays.missed, rays.rays), percent(rays.skipped, rays.rays),
                 percent(rays.early, rays.rays), rays.mse, rays.steps_mean, rays.steps_max, rays.fetches_mean);
 }
 
 } // namespace
 
 std::string verify_text(const VerifyReport& report) {
-    std::string text = "view              rays  missed %   early %        mse   steps    max  fetches\n";
+    std::string text = "view              rays  missed %  skipped %   early %        mse   steps    max  fetches\n";
     for (const ViewReport& view : report.views)
         text += rays_line(format("%2.0f deg @ %3.0f", view.angle, view.azimuth).c_str(), view.comparison);
     text += rays_line("all", report.total);

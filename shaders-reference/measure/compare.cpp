@@ -1,6 +1,7 @@
 #include "shaders-reference/measure/compare.h"
 
 #include "bake/parallel.h"
+#include "shaders-reference/oracle/comes_out.h"
 #include "shaders-reference/oracle/first_hit.h"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ Comparison compare_row(const BilinearSurface& surface, const Rendering& renderin
         const double raised_by = tolerance + 2 * options.filter_delta;
         const bool stops = missed || first_hit(surface, ray, -raised_by, t).has_value();
         sum.missed += missed;
+        sum.skipped += missed && comes_out(surface, ray, lowered->t, t, tolerance);
         // Nothing stops a ray above a hole: it is early where it ends above the floor.
         sum.early += !stops && !(surface.has_holes() && t >= 1 - raised_by);
         if (surface.has_holes()) compare_holes(surface, ray, t, raised_by, status, missed, stops, sum);
@@ -100,6 +102,7 @@ Comparison compare_with_oracle(const BilinearSurface& surface, const Rendering& 
     for (const Comparison& row : rows) {
         total.rays += row.rays;
         total.missed += row.missed;
+        total.skipped += row.skipped;
         total.early += row.early;
         total.out_of_steps += row.out_of_steps;
         total.holes += row.holes;
@@ -125,6 +128,7 @@ Comparison combined(const Comparison& a, const Comparison& b) {
     const double share_a = double(a.rays) / double(sum.rays);
     const double share_b = double(b.rays) / double(sum.rays);
     sum.missed = a.missed + b.missed;
+    sum.skipped = a.skipped + b.skipped;
     sum.early = a.early + b.early;
     sum.out_of_steps = a.out_of_steps + b.out_of_steps;
     sum.holes = a.holes + b.holes;

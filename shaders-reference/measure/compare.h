@@ -29,6 +29,7 @@ double steepest_slope(const BilinearSurface& surface);
 struct Comparison {
     std::uint64_t rays = 0;
     std::uint64_t missed = 0;       ///< the hit lies beyond the first hit on the surface lowered by the tolerance
+    std::uint64_t skipped = 0;      ///< of these, rays that came out of the relief again, by the tolerance, before they ended: whole features lost
     std::uint64_t early = 0;        ///< the hit lies before the first hit on the surface raised by the tolerance and 2 filter_delta
     std::uint64_t out_of_steps = 0; ///< marches that never arrived; mostly counted as early too
     std::uint64_t holes = 0;        ///< rays that the rendering let fall through

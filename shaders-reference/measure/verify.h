@@ -67,7 +67,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options =
 
 std::string to_string(Verdict verdict);
 
-/// Keys: verdict, missed, early, holes, pierced and filled (shares of rays), mse, steps_mean, steps_max, fetches_mean, out_of_steps, violations
+/// Keys: verdict, missed, skipped, early, holes, pierced and filled (shares of rays), mse, steps_mean, steps_max, fetches_mean, out_of_steps, violations
 /// (of `points`), worst (with its place), tightness (null without a crop), tolerance, rays, oracle_rays_per_second, depth_difference, views.
 nlohmann::json to_json(const VerifyReport& report);
 

@@ -11,6 +11,7 @@ nlohmann::json rays_json(const Comparison& rays) {
             {"pierced", share(rays.pierced, rays.rays)},
             {"filled", share(rays.filled, rays.rays)},
             {"missed", share(rays.missed, rays.rays)},
+            {"skipped", share(rays.skipped, rays.rays)},
             {"early", share(rays.early, rays.rays)},
             {"out_of_steps", share(rays.out_of_steps, rays.rays)},
             {"mse", rays.mse},

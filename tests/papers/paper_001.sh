@@ -95,7 +95,7 @@ measure() {
         jq -cn --arg scene "$1" --arg method "$2" --arg steps "$3" --arg refinements "$4" --argjson errors "$errors" --argjson frame "$frame" '
             def over(f): [.[] | f * .rays] | add; ($errors.views // [] | map(select(.angle == 45 or .angle == 70))) as $views | ([$views[].rays] | add) as $rays
             | {scene: $scene, method: $method, steps: $steps, refinements: $refinements, milliseconds: $frame.milliseconds_least}
-              + if $rays then $views | {steps_mean: (over(.steps_mean) / $rays), fetches: (over(.fetches_mean) / $rays), mse: (over(.mse) / $rays), missed: (over(.missed) / $rays),
+              + if $rays then $views | {steps_mean: (over(.steps_mean) / $rays), fetches: (over(.fetches_mean) / $rays), mse: (over(.mse) / $rays), missed: (over(.missed) / $rays), skipped: (over(.skipped) / $rays),
                 early: (over(.early) / $rays)} else {} end' >"$file.new"
         mv "$file.new" "$file"
     fi
@@ -114,7 +114,7 @@ helpers='def exponent: if . == null then "" elif . == 0 then "0" else (log10 | f
 # table NUMBER TITLE: the published rows beside ours; times as ratios to the first row.
 table() {
     printf '### Table %s: %s\n\n' "$1" "$2"
-    printf '| method | steps | refinements | 001: steps, mean | MSE | time | ours: steps, mean | MSE | missed | time |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n'
+    printf '| method | steps | refinements | 001: steps, mean | MSE | time | ours: steps, mean | MSE | skipped | time |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n'
     sed 1d "$published" | jq -rR --arg table "$1" --slurpfile measured "$scratch/rows" "$helpers"'
         [inputs | split("\t") | select(.[0] == $table)] as $rows
         | ($measured | map({key: "\(.method)|\(.steps)|\(.refinements)", value: .}) | from_entries) as $ours
@@ -123,12 +123,12 @@ table() {
         ($both[0].theirs[6] // "-" | number) as $first | $both[0].ours.milliseconds as $ours_first
         | $both[] | .ours as $o | .theirs as $t
         | "| \($t[1]) | \($t[2]) | \($t[3]) | \($t[4] | number | rounded(2)) | \($t[5] | number | exponent) | \(if $first and ($t[6] | number) then ($t[6] | number) / $first else null end | rounded(2)) | "
-          + "\($o.steps_mean | rounded(2)) | \($o.mse | exponent) | \($o.missed | percent) | \(if $first and $ours_first then $o.milliseconds / $ours_first else null end | rounded(2)) |"' --null-input
+          + "\($o.steps_mean | rounded(2)) | \($o.mse | exponent) | \($o.skipped | percent) | \(if $first and $ours_first then $o.milliseconds / $ours_first else null end | rounded(2)) |"' --null-input
     echo
 }
 
 {
-    printf '001: the %s scene, GTX 780, its frame times. Ours: `%s`, rays at 45 and 70 degrees (MSE, missed, steps); frame times of llvmpipe, one thread, %s. Times are ratios to the first row of the table.\n\n' "\`Lion\`" "$main" "$(machine)"
+    printf '001: the %s scene, GTX 780, its frame times. Ours: `%s`, rays at 45 and 70 degrees (MSE, skipped, steps; skipped: rays that went through relief and came out again); frame times of llvmpipe, one thread, %s. Times are ratios to the first row of the table.\n\n' "\`Lion\`" "$main" "$(machine)"
     table 4.1 'linear search'
     table 4.2 'binary search after it'
     table 4.3 'linear alone, or with two halvings'
@@ -151,11 +151,11 @@ if [[ $page ]]; then "$here/put_table.sh" "$page" 001 <"$scratch/tables"; fi
 
 # How cones are sampled (sec. 4.3.1, fig. 4.6).
 {
-    printf '| cones and how they are sampled | steps | steps, mean | MSE | missed | early | time |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n'
+    printf '| cones and how they are sampled | steps | steps, mean | MSE | missed | skipped | early | time |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n'
     for row in 'CSM|30|0' 'CSM, least of four|30|0' 'CSM|30|2' 'CSM, bilinear-safe|30|0' 'CSM, bilinear-safe|30|2'; do
         IFS='|' read -r method steps refinements <<<"$row"
         measure "$main" "$method" "$steps" "$refinements"
-    done | jq -rs "$helpers"'.[0].milliseconds as $first | .[] | "| \(.method)\(if .refinements != "0" then ", \(.refinements) halvings" else "" end) | \(.steps) | \(.steps_mean | rounded(2)) | \(.mse | exponent) | \(.missed | percent) | \(.early | percent) | \(.milliseconds / $first | rounded(2)) |"'
+    done | jq -rs "$helpers"'.[0].milliseconds as $first | .[] | "| \(.method)\(if .refinements != "0" then ", \(.refinements) halvings" else "" end) | \(.steps) | \(.steps_mean | rounded(2)) | \(.mse | exponent) | \(.missed | percent) | \(.skipped | percent) | \(.early | percent) | \(.milliseconds / $first | rounded(2)) |"'
 } | tee "$scratch/sampling"
 if [[ $page ]]; then "$here/put_table.sh" "$page" 001-sampling <"$scratch/sampling"; fi
 
@@ -187,10 +187,10 @@ done >"$scratch/scenes"
 
 # Which method is best for a budget of texture reads, by each measure (the question of sec. 4.1 and 5.2).
 {
-    printf '| refinement | texture reads at most | by MSE | by missed rays | by early rays |\n| --- | ---: | --- | --- | --- |\n'
+    printf '| refinement | texture reads at most | by MSE | by skipped rays | by missed or early rays |\n| --- | ---: | --- | --- | --- |\n'
     jq -rs "$helpers"'def best($budget; f): [.[] | select(.fetches <= $budget)] | group_by(.curve) | map(min_by(f)) | sort_by(f) | map("\(.curve) \(f | if . == 0 then "0" else exponent end)") | join(", ");
         . as $all | ("none", "binary", "interval") as $r | (8, 16, 32) as $budget | [$all[] | select(.refinement == $r)]
-        | "| \($r) | \($budget) | \(best($budget; .mse)) | \(best($budget; .missed)) | \(best($budget; .early)) |"' "$scratch/curves"
+        | "| \($r) | \($budget) | \(best($budget; .mse)) | \(best($budget; .skipped)) | \(best($budget; .missed + .early)) |"' "$scratch/curves"
 } | tee "$scratch/ranking"
 if [[ ! $page ]]; then exit; fi
 "$here/put_table.sh" "$page" 001-ranking <"$scratch/ranking"
