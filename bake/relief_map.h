@@ -20,6 +20,14 @@ enum class ChannelLayout {
     pair,  ///< eight sectors: two RGBA files
 };
 
+/// What a map of kind "cone" holds beside the depth. One without cones is followed by searches that need none.
+struct HeldPlanes {
+    bool normals = true;
+    bool cones = true;
+
+    friend bool operator==(const HeldPlanes&, const HeldPlanes&) = default;
+};
+
 /// The meaning of a map; stored as metadata, printed by `explain`. Keys of `explain --json` are these names.
 struct ReliefMapInfo {
     std::string kind = "cone";  ///< "cone", "acm" (sectors), "cone-stack", "cone-pieces"
@@ -37,6 +45,7 @@ struct ReliefMapInfo {
     BitDepth bits = BitDepth::unorm8;
     SurfaceModel surface = SurfaceModel::bilinear;
     ChannelLayout layout = ChannelLayout::rgba;
+    HeldPlanes held;            ///< kind "cone"
     NormalY normal_y = NormalY::gl;
     float cone_max = 1;         ///< ratio that the largest code stands for (ratio, sqrt); cap of the bake
     double depth_scale = 0.1;   ///< depth of the relief in texture widths

@@ -23,6 +23,9 @@ std::string result_text(const ConePlan& plan) {
     text += "\ndelta=" + digits(plan.cone.hybrid_delta) + "\nlookup=" + word_of(lookup_words, plan.cone.lookup);
     text += "\nencoding=" + word_of(encoding_words, plan.given.encoding);
     text += "\nnormal-y=" + word_of(normal_y_words, plan.given.normal_y);
+    if (plan.given.held != HeldPlanes()) text += "\nheld=" + std::to_string(plan.given.held.normals) + std::to_string(plan.given.held.cones);
+    if (plan.given.level > 0) text += "\nlevel=" + std::to_string(plan.given.level);
+    if (plan.given.mip_levels) text += "\nmip-levels=" + std::to_string(*plan.given.mip_levels);
     if (plan.given.mips) text += plan.given.trilinear ? "\nmips=trilinear" : "\nmips=nearest";
     return text + "\nlayout=" + word_of(layout_words, plan.layout) + "\n";
 }

@@ -38,7 +38,7 @@ ReliefMap assemble_map(const ReliefMapInfo& info, DepthMap depth, std::vector<En
             depth.grid,
             stored_normals(std::move(normals.x), 1, info.bits),
             stored_normals(std::move(normals.y), y_sign, info.bits),
-            single ? std::move(planes.front()) : Image<float>(),
+            single && !planes.empty() ? std::move(planes.front()) : Image<float>(),
             sampled_depth(std::move(depth)),
             single ? std::vector<Image<float>>() : std::move(planes)};
 }

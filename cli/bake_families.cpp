@@ -1,5 +1,6 @@
 #include "cli/bake_families.h"
 
+#include "cli/channel_options.h"
 #include "cli/choices.h"
 #include "cli/number_options.h"
 #include "cli/mip_options.h"
@@ -27,8 +28,18 @@ void ConeCommand::add_own_options(CLI::App& app) {
     add_family_options(app, options_.family, true);
     add_output_options(app, options_);
     add_encoding_option(app, options_);
+    add_single_cone_result_options(app);
+}
+
+void SingleConeCommand::add_single_cone_result_options(CLI::App& app) {
+    app_ = &app;
     add_exr_layout_option(app, options_);
+    add_channels_option(app, options_);
     add_mip_options(app, options_);
+}
+
+Result<ConeCommandOptions> SingleConeCommand::given() const {
+    return check_channels(*app_, options_).map([&] { return options_; });
 }
 
 void AcmCommand::add_own_options(CLI::App& app) {
@@ -74,8 +85,7 @@ void ConeNormalCommand::add_own_options(CLI::App& app) {
     add_search_options(app, options_);
     add_family_options(app, options_.family, true);
     add_output_options(app, options_);
-    add_exr_layout_option(app, options_);
-    add_mip_options(app, options_);
+    add_single_cone_result_options(app);
 }
 
 void ConeStackCommand::add_own_options(CLI::App& app) {

@@ -5,8 +5,20 @@
 
 namespace reliefbake {
 
+/// One cone a texel at most: depth, and with --channels what is wanted of normals and cones.
+class SingleConeCommand : public BakeCommand {
+  public:
+    Result<ConeCommandOptions> given() const final;
+
+  protected:
+    void add_single_cone_result_options(CLI::App& app);
+
+  private:
+    const CLI::App* app_ = nullptr; ///< knows which options were given
+};
+
 /// reliefbake cone IN -o OUT: one cone a texel, of any family.
-class ConeCommand : public BakeCommand {
+class ConeCommand : public SingleConeCommand {
   public:
     void add_own_options(CLI::App& app) override;
 };
@@ -26,7 +38,7 @@ class AcmCommand : public BakeCommand {
 };
 
 /// reliefbake cone-normal IN -o OUT: `cone` with encoding normal and no cap (001 sec. 3.1), whose code is also a distance.
-class ConeNormalCommand : public BakeCommand {
+class ConeNormalCommand : public SingleConeCommand {
   public:
     void add_own_options(CLI::App& app) override;
 };

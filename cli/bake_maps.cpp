@@ -1,5 +1,6 @@
 #include "cli/bake_maps.h"
 
+#include "bake/mips.h"
 #include "bake/normal_map.h"
 #include "bake/shared_pyramids.h"
 #include "cli/assemble_map.h"
@@ -21,12 +22,13 @@ namespace {
 /// Whether two plans of the same depth of bits search for the same cones.
 bool same_cones(const ConePlan& a, const ConePlan& b) {
     return !a.given.mips && !b.given.mips && a.given.kind == b.given.kind && a.given.planes == b.given.planes &&
-           a.given.adaptive == b.given.adaptive && a.cone == b.cone;
+           a.given.adaptive == b.given.adaptive && a.cone == b.cone && a.given.held.cones && b.given.held.cones;
 }
 
 /// One surface as it is stored, and what maps of it have in common.
 struct Surface {
     BitDepth bits;
+    int level; ///< mip level of the source
     DepthMap depth;
     SharedPyramids pyramids;
     std::optional<NormalMap> normals;
@@ -40,39 +42,53 @@ class Run {
 
     Result<BakedMap> bake(std::size_t index, StageClock& clock, FileBatch& batch) {
         const ConePlan& plan = plans_[index];
-        Surface& surface = surface_of(index, clock);
+        const Result<Surface*> found = surface_of(index, clock);
+        if (!found) return tl::unexpected(found.error());
+        Surface& surface = **found;
         Result<BakedMap> baked = plan.given.mips ? bake_chain(plan, surface, clock, batch) : bake_one(index, surface, clock, batch);
-        if (!is_wanted_later(index)) std::erase_if(surfaces_, [&](const Surface& old) { return old.bits == plan.bits; });
+        if (!is_wanted_later(index)) std::erase_if(surfaces_, [&](const Surface& old) { return of_surface(plan, old.bits, old.level); });
         return baked;
     }
 
     BakeSource take_source() { return std::move(source_); }
 
   private:
+    static bool of_surface(const ConePlan& plan, BitDepth bits, int level) { return plan.bits == bits && plan.given.level == level; }
+
     template <class Wants>
     bool any_later(std::size_t index, Wants wants) const {
         return std::any_of(plans_.begin() + std::ptrdiff_t(index) + 1, plans_.end(), wants);
     }
     bool is_wanted_later(std::size_t index) const {
-        return any_later(index, [&](const ConePlan& later) { return later.bits == plans_[index].bits; });
+        return any_later(index, [&](const ConePlan& later) { return of_surface(later, plans_[index].bits, plans_[index].given.level); });
     }
 
-    Surface& surface_of(std::size_t index, StageClock& clock) {
-        const auto stored_as = [&](BitDepth bits) {
-            return std::find_if(surfaces_.begin(), surfaces_.end(), [&](const Surface& known) { return known.bits == bits; });
+    /// Errors (usage): the heights have no such mip level.
+    Result<Surface*> surface_of(std::size_t index, StageClock& clock) {
+        const auto stored_for = [&](const ConePlan& plan) {
+            return std::find_if(surfaces_.begin(), surfaces_.end(), [&](const Surface& known) { return of_surface(plan, known.bits, known.level); });
         };
-        const BitDepth bits = plans_[index].bits;
-        if (const auto known = stored_as(bits); known != surfaces_.end()) return *known;
-        surfaces_.push_back({bits, clock.time("quantise", [&] { return quantise_depth(*source_.field, bits); }), {}, {}, {}});
-        const auto needs_field = [&](const ConePlan& later) { return stored_as(later.bits) == surfaces_.end(); };
+        const ConePlan& plan = plans_[index];
+        if (const auto known = stored_for(plan); known != surfaces_.end()) return &*known;
+        DepthMap depth = clock.time("quantise", [&] { return quantise_depth(*source_.field, plan.bits); });
+        if (plan.given.level > 0) {
+            std::vector<DepthMap> chain = clock.time("mips", [&] { return bake_depth_mips(depth); });
+            if (std::size_t(plan.given.level) >= chain.size())
+                return fail(ErrorCode::usage, "--level: the heights of " + plan.given.input + " have mip levels 0 to " + std::to_string(chain.size() - 1) + ", not " +
+                                                  std::to_string(plan.given.level));
+            depth = std::move(chain[std::size_t(plan.given.level)]);
+        }
+        surfaces_.push_back({plan.bits, plan.given.level, std::move(depth), {}, {}, {}});
+        const auto needs_field = [&](const ConePlan& later) { return stored_for(later) == surfaces_.end(); };
         if (!any_later(index, needs_field)) source_.field.reset();
-        return surfaces_.back();
+        return &surfaces_.back();
     }
 
     /// Baked, or those of an earlier plan; kept while a later one wants them.
     std::vector<ConeMap> cones_of(std::size_t index, Surface& surface, StageClock& clock) {
         const ConePlan& plan = plans_[index];
-        const bool again = any_later(index, [&](const ConePlan& later) { return later.bits == plan.bits && same_cones(later, plan); });
+        if (!plan.given.held.cones) return {};
+        const bool again = any_later(index, [&](const ConePlan& later) { return of_surface(later, plan.bits, plan.given.level) && same_cones(later, plan); });
         const auto known = std::find_if(surface.cones.begin(), surface.cones.end(),
                                         [&](const auto& kept) { return same_cones(*kept.first, plan); });
         if (known != surface.cones.end()) {
@@ -92,6 +108,7 @@ class Run {
 
     NormalMap normals_of(std::size_t index, Surface& surface, StageClock& clock) {
         const ConePlan& plan = plans_[index];
+        if (!plan.given.held.normals) return {};
         if (!surface.normals)
             surface.normals = clock.time("normals", [&] { return bake_normals(surface.depth, plan.depth_scale, plan.cone.threads); });
         return is_wanted_later(index) ? *surface.normals : std::move(*surface.normals);

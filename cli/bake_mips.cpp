@@ -56,7 +56,9 @@ void narrow_planes_for_trilinear(std::vector<Level>& levels) {
 std::vector<Level> bake_levels(const ConePlan& plan, const MipBase& base, StageClock& clock) {
     std::vector<Level> levels;
     for (DepthMap& depth : clock.time("mips", [&] { return bake_depth_mips(base.depth); })) levels.push_back({std::move(depth), {}, {}, {}});
-    bake_cones_of(levels, plan, base.pyramids, clock);
+    if (const auto most = std::size_t(plan.given.mip_levels.value_or(int(levels.size()))); most < levels.size())
+        levels.erase(levels.begin() + std::ptrdiff_t(most), levels.end());
+    if (plan.given.held.cones) bake_cones_of(levels, plan, base.pyramids, clock);
     if (plan.given.trilinear)
         clock.time("trilinear", [&] {
             narrow_planes_for_trilinear(levels);
@@ -69,7 +71,8 @@ std::vector<Level> bake_levels(const ConePlan& plan, const MipBase& base, StageC
         return true;
     });
     clock.time("normals", [&] {
-        for (Level& level : levels) level.normals = bake_normals(level.depth, plan.depth_scale, plan.cone.threads);
+        if (plan.given.held.normals)
+            for (Level& level : levels) level.normals = bake_normals(level.depth, plan.depth_scale, plan.cone.threads);
         return true;
     });
     return levels;

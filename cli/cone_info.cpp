@@ -24,11 +24,8 @@ std::map<std::string, double> statistics_of(const DepthMap& depth, const std::ve
         least = std::min(least, *std::min_element(ratio.begin(), ratio.end()));
         zero_codes += double(encoded[k].zero_codes);
     }
-    std::map<std::string, double> statistics = {{"depth_min", double(*shallow) / max_code(depth.bits)},
-                                                {"depth_max", double(*deep) / max_code(depth.bits)},
-                                                {"ratio_min", shortest_decimal(least)},
-                                                {"ratio_mean", sum / texels},
-                                                {"zero_codes", zero_codes}};
+    std::map<std::string, double> statistics = {{"depth_min", double(*shallow) / max_code(depth.bits)}, {"depth_max", double(*deep) / max_code(depth.bits)}};
+    if (!cones.empty()) statistics["ratio_min"] = shortest_decimal(least), statistics["ratio_mean"] = sum / texels, statistics["zero_codes"] = zero_codes;
     if (!depth.holes) return statistics;
     const HoleCount holes = count_holes(depth);
     statistics["hole_texels"] = double(holes.texels), statistics["open_cells"] = double(holes.cells);
@@ -45,7 +42,7 @@ std::string guarantee_of(const ConeOptions& options) {
 
 ReliefMapInfo describe_cones(const ConePlan& plan, const BakeSource& source, const DepthMap& depth,
                              const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded) {
-    const ConeOptions& options = cones.front().options;
+    const ConeOptions& options = cones.empty() ? plan.cone : cones.front().options;
     ReliefMapInfo info;
     info.kind = plan.given.kind;
     info.planes = plan.given.kind == "cone" ? 0 : plan.given.planes;
@@ -55,17 +52,18 @@ ReliefMapInfo describe_cones(const ConePlan& plan, const BakeSource& source, con
     info.hybrid_delta = shortest_decimal(options.hybrid_delta);
     info.lookup = options.lookup;
     info.metric = options.metric;
-    info.encoding = encoded.front().encoding;
-    info.bits = encoded.front().bits;
+    info.encoding = plan.given.encoding;
+    info.bits = depth.bits;
     info.surface = options.surface;
     info.layout = plan.layout;
+    info.held = plan.given.held;
     info.normal_y = plan.given.normal_y;
-    info.cone_max = encoded.front().ratio_max;
+    info.cone_max = encoded.empty() ? options.ratio_max : encoded.front().ratio_max;
     info.depth_scale = plan.depth_scale;
     info.holes = depth.holes;
     info.filter_delta = filter_delta(depth);
     info.tolerance = shortest_decimal(options.tolerance);
-    info.guarantee = plan.given.adaptive ? std::string() : guarantee_of(options);
+    info.guarantee = plan.given.adaptive || cones.empty() ? std::string() : guarantee_of(options);
     info.version = version();
     info.source_hash = source.image.pixel_hash;
     info.alpha_hash = source.alpha_hash;

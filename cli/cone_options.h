@@ -37,11 +37,14 @@ struct ConeCommandOptions {
     ConeEncoding encoding = ConeEncoding::sqrt;
     std::optional<BitDepth> bits;        ///< --bits; default by the output's format
     std::optional<ChannelLayout> layout; ///< --exr-layout
+    HeldPlanes held;      ///< --channels
     NormalY normal_y = NormalY::gl;
     std::optional<double> depth_uv;     ///< --depth-uv
     std::optional<double> size_metres;  ///< --size
     std::optional<double> depth_metres; ///< --depth
     bool mips = false;      ///< --mips: a chain of levels, each with heights and cones of its own
+    int level = 0;          ///< --level: mip level of the heights that is baked as level 0
+    std::optional<int> mip_levels; ///< --mip-levels: of the chain, from the largest on; unset: all
     bool trilinear = false; ///< --trilinear: cones that hold under a blend of two levels
     bool json = false;
     bool quiet = false;

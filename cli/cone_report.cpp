@@ -58,9 +58,10 @@ std::string cone_summary(const ConeRun& run) {
     const double texels = double(run.grid.width) * run.grid.height;
     const double seconds = run.seconds.back().second;
     std::string text = height_summary(run.plan.given, run.source, run.height, run.grid);
-    text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
+    if (run.info.held.cones) text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
                    word_of(encoding_words, run.info.encoding).c_str(), storage_words(run.info.bits),
                    statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
+    else text += format("  no cones; %s\n", storage_words(run.info.bits));
     if (run.info.holes)
         text += format("  %.0f texels are holes, %.0f cells open\n", statistics.at("hole_texels"), statistics.at("open_cells"));
     if (!run.levels.empty())

@@ -84,6 +84,7 @@ std::string family_lines(const ReliefMapInfo& info) {
 }
 
 std::string guarantee_line(const ReliefMapInfo& info) {
+    if (!info.held.cones) return "";
     const std::string surface =
         info.surface == SurfaceModel::bilinear ? "bilinearly filtered surface" : "surface of texel centres";
     if (info.guarantee == "C") return "No point of the " + surface + " lies inside a cone (guarantee C).\n";

@@ -47,7 +47,7 @@ Result<void> validate_kind(const ConeCommandOptions& options) {
 ReliefMapInfo layout_facts(const ConePlan& plan) {
     ReliefMapInfo info;
     info.kind = plan.given.kind, info.planes = plan.given.kind == "cone" ? 0 : plan.given.planes;
-    info.bits = plan.bits, info.layout = plan.layout;
+    info.bits = plan.bits, info.layout = plan.layout, info.held = plan.given.held;
     return info;
 }
 

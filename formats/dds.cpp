@@ -13,16 +13,19 @@ constexpr std::uint32_t ddpf_alpha_pixels = 0x1, ddpf_four_cc = 0x4, ddpf_rgb = 
 constexpr std::uint32_t dimension_texture_2d = 3;
 constexpr std::uint32_t alpha_mode_custom = 4; // the fourth channel is data, not opacity
 
-std::uint32_t dxgi_format(BitDepth bits) {
-    constexpr std::uint32_t formats[] = {28, 11, 10, 2}; // by BitDepth; 28, R8G8B8A8_UNORM, has masks instead
-    return formats[int(bits)];
+std::uint32_t dxgi_format(BitDepth bits, int channels) {
+    // By BitDepth, for one channel, two, and four; R8G8B8A8_UNORM has masks instead.
+    constexpr std::uint32_t formats[][3] = {{61, 49, 28}, {56, 35, 11}, {54, 34, 10}, {41, 16, 2}};
+    return formats[int(bits)][channels == 4 ? 2 : channels - 1];
 }
 
-/// DDS_PIXELFORMAT. 8 bits in the old way, by masks, which every reader knows (OpenImageIO 2.4 reads no uncompressed format
-/// behind a DX10 header); other depths have no masks.
-void write_pixel_format(ByteWriter& out, BitDepth bits) {
+bool has_masks(BitDepth bits, int channels) { return bits == BitDepth::unorm8 && channels == 4; }
+
+/// DDS_PIXELFORMAT. RGBA of 8 bits in the old way, by masks, which every reader knows (OpenImageIO 2.4 reads no uncompressed format
+/// behind a DX10 header); others have no masks.
+void write_pixel_format(ByteWriter& out, BitDepth bits, int channels) {
     out.u32(32);
-    if (bits != BitDepth::unorm8) {
+    if (!has_masks(bits, channels)) {
         out.u32(ddpf_four_cc);
         out.text("DX10");
         out.zeros(5 * 4);
@@ -35,15 +38,15 @@ void write_pixel_format(ByteWriter& out, BitDepth bits) {
 }
 
 /// DDS_HEADER_DXT10.
-void write_dx10_header(ByteWriter& out, BitDepth bits) {
-    out.u32(dxgi_format(bits));
+void write_dx10_header(ByteWriter& out, BitDepth bits, int channels) {
+    out.u32(dxgi_format(bits, channels));
     out.u32(dimension_texture_2d);
     out.u32(0); // no cube
     out.u32(1); // array of one
     out.u32(alpha_mode_custom);
 }
 
-void write_header(ByteWriter& out, BitDepth bits, const TextureLevel& top, std::uint32_t levels) {
+void write_header(ByteWriter& out, BitDepth bits, int channels, const TextureLevel& top, std::uint32_t levels) {
     out.text("DDS ");
     out.u32(124); // size of this header
     out.u32(ddsd_caps | ddsd_height | ddsd_width | ddsd_pitch | ddsd_pixel_format | (levels > 1 ? ddsd_mip_map_count : 0));
@@ -53,17 +56,17 @@ void write_header(ByteWriter& out, BitDepth bits, const TextureLevel& top, std::
     out.u32(0);                                                          // depth
     out.u32(levels);
     out.zeros(11 * 4);
-    write_pixel_format(out, bits);
+    write_pixel_format(out, bits, channels);
     out.u32(ddscaps_texture | (levels > 1 ? ddscaps_complex | ddscaps_mip_map : 0));
     out.zeros(4 * 4);
 }
 
 } // namespace
 
-std::vector<std::byte> encode_dds(BitDepth bits, std::span<const TextureLevel> levels) {
+std::vector<std::byte> encode_dds(BitDepth bits, int channels, std::span<const TextureLevel> levels) {
     ByteWriter out;
-    write_header(out, bits, levels[0], std::uint32_t(levels.size()));
-    if (bits != BitDepth::unorm8) write_dx10_header(out, bits);
+    write_header(out, bits, channels, levels[0], std::uint32_t(levels.size()));
+    if (!has_masks(bits, channels)) write_dx10_header(out, bits, channels);
     for (const TextureLevel& level : levels) out.append(level.pixels);
     return out.take();
 }

@@ -1,15 +1,15 @@
 #include "formats/little_endian.h"
 #include "formats/texture_file.h"
 
+#include <algorithm>
+
 namespace reliefbake {
 
 namespace {
 
-constexpr int channels = 4;
-
 /// What a sample type is called in KTX 2.0 and in the Khronos Data Format specification 1.3.
 struct Format {
-    std::uint32_t vk_format; ///< VK_FORMAT_R8G8B8A8_UNORM, R16G16B16A16_UNORM, R16G16B16A16_SFLOAT, R32G32B32A32_SFLOAT
+    std::uint32_t vk_format; ///< VK_FORMAT_R8..., R16..._UNORM, R16..., R32..._SFLOAT
     std::uint32_t sample_bytes;
     std::uint8_t qualifiers; ///< of the channel: float and signed, or none
     std::uint32_t lower, upper; ///< what stands for 0 and 1; of floats the bits of -1 and 1
@@ -18,33 +18,34 @@ struct Format {
 constexpr std::uint8_t float_signed = 0x80 | 0x40;
 constexpr std::uint32_t minus_one = 0xbf800000, one = 0x3f800000;
 
-Format format_of(BitDepth bits) {
+Format format_of(BitDepth bits, int channels) {
+    const auto of = [channels](std::uint32_t r, std::uint32_t rg, std::uint32_t rgba) { return channels == 1 ? r : channels == 2 ? rg : rgba; };
     switch (bits) {
-    case BitDepth::unorm8: return {37, 1, 0, 0, 255};
-    case BitDepth::unorm16: return {91, 2, 0, 0, 65535};
-    case BitDepth::half: return {97, 2, float_signed, minus_one, one};
-    case BitDepth::float32: return {109, 4, float_signed, minus_one, one};
+    case BitDepth::unorm8: return {of(9, 16, 37), 1, 0, 0, 255};
+    case BitDepth::unorm16: return {of(70, 77, 91), 2, 0, 0, 65535};
+    case BitDepth::half: return {of(76, 83, 97), 2, float_signed, minus_one, one};
+    case BitDepth::float32: return {of(100, 103, 109), 4, float_signed, minus_one, one};
     }
     return {};
 }
 
 /// The basic data format descriptor (KDF 1.3, section 5): RGBA, linear, no primaries, alpha not multiplied in.
-std::vector<std::byte> data_format_descriptor(const Format& format) {
-    constexpr std::uint32_t block = 24 + channels * 16;
+std::vector<std::byte> data_format_descriptor(const Format& format, int channels) {
+    const std::uint32_t block = 24 + std::uint32_t(channels) * 16;
     constexpr std::uint8_t model_rgbsda = 1, primaries_unspecified = 0, transfer_linear = 1, alpha_straight = 0;
     ByteWriter out;
     out.u32(4 + block);
     out.u32(0); // Khronos, basic format
     out.u16(2); // KDF 1.3
-    out.u16(block);
+    out.u16(std::uint16_t(block));
     out.u8(model_rgbsda);
     out.u8(primaries_unspecified);
     out.u8(transfer_linear);
     out.u8(alpha_straight);
     out.zeros(4); // a texel block of 1 x 1 x 1 x 1
-    out.u8(std::uint8_t(channels * format.sample_bytes));
+    out.u8(std::uint8_t(std::uint32_t(channels) * format.sample_bytes));
     out.zeros(7); // one plane
-    constexpr std::uint8_t names[channels] = {0, 1, 2, 15}; // R, G, B, A
+    constexpr std::uint8_t names[] = {0, 1, 2, 15}; // R, G, B, A
     for (int c = 0; c < channels; ++c) {
         out.u16(std::uint16_t(c * 8 * int(format.sample_bytes)));
         out.u8(std::uint8_t(8 * format.sample_bytes - 1));
@@ -67,13 +68,13 @@ void write_entry(ByteWriter& out, const std::string& key, const std::string& val
 }
 
 /// The level index and the levels. Offsets count from the file's start; the smallest level lies first, each at a multiple of
-/// the texel's size (at least 4: lcm(texel size, 4), and ours are powers of two).
-void write_levels(ByteWriter& out, std::span<const TextureLevel> levels, std::size_t texel_bytes, std::size_t data_start,
+/// `alignment`: lcm(texel size, 4), and ours are powers of two.
+void write_levels(ByteWriter& out, std::span<const TextureLevel> levels, std::size_t alignment, std::size_t data_start,
                   std::span<const std::byte> between) {
     std::vector<std::uint64_t> offsets(levels.size());
     std::size_t at = data_start;
     for (std::size_t n = levels.size(); n-- > 0;) {
-        at = (at + texel_bytes - 1) / texel_bytes * texel_bytes;
+        at = (at + alignment - 1) / alignment * alignment;
         offsets[n] = at;
         at += levels[n].pixels.size();
     }
@@ -84,17 +85,17 @@ void write_levels(ByteWriter& out, std::span<const TextureLevel> levels, std::si
     }
     out.append(between);
     for (std::size_t n = levels.size(); n-- > 0;) {
-        out.align(texel_bytes);
+        out.align(alignment);
         out.append(levels[n].pixels);
     }
 }
 
 } // namespace
 
-std::vector<std::byte> encode_ktx2(BitDepth bits, std::span<const TextureLevel> levels, const std::string& metadata,
+std::vector<std::byte> encode_ktx2(BitDepth bits, int channels, std::span<const TextureLevel> levels, const std::string& metadata,
                                    const std::string& writer) {
-    const Format format = format_of(bits);
-    const std::vector<std::byte> descriptor = data_format_descriptor(format);
+    const Format format = format_of(bits, channels);
+    const std::vector<std::byte> descriptor = data_format_descriptor(format, channels);
     ByteWriter keys; // sorted by key
     write_entry(keys, "KTXwriter", writer);
     write_entry(keys, "reliefbake", metadata);
@@ -126,7 +127,7 @@ std::vector<std::byte> encode_ktx2(BitDepth bits, std::span<const TextureLevel> 
     between.append(descriptor);
     between.append(key_values);
     const std::vector<std::byte> middle = between.take();
-    write_levels(out, levels, channels * format.sample_bytes, keys_at + key_values.size(), middle);
+    write_levels(out, levels, std::max<std::size_t>(4, std::size_t(channels) * format.sample_bytes), keys_at + key_values.size(), middle);
     return out.take();
 }
 

@@ -103,6 +103,10 @@ ReliefMapInfo info_of(const MapMetadata& metadata, BitDepth bits) {
     info.planes = has_cone_planes(info.kind) ? metadata.planes.value_or(0) : 0;
     info.levels = metadata.levels.value_or(info.levels);
     info.trilinear = metadata.trilinear.value_or(info.trilinear);
+    if (metadata.channels && !has_cone_planes(info.kind)) {
+        const std::vector<std::string>& channels = *metadata.channels;
+        info.held = {channels[normal_x_plane] != "-" && channels[normal_y_plane] != "-", channels[cone_plane] != "-"};
+    }
     info.holes = metadata.holes.value_or(info.holes);
     info.normal_y = metadata.normal_y.value_or(info.normal_y);
     info.cone_max = metadata.cone_max.value_or(std::numeric_limits<float>::infinity());

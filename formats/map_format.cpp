@@ -75,6 +75,11 @@ Result<void> check_map_format(const std::filesystem::path& path, BitDepth bits, 
 Result<void> check_map_format(const std::filesystem::path& path, const ReliefMapInfo& info) {
     if (Result<void> checked = check_map_format(path, info.bits, info.layout); !checked) return checked;
     const Result<void> layout = check_layout(info);
+    const std::size_t channels = layout ? written_image(layout_images(info)[0]).channels.size() : 0;
+    const MapFormat format = *map_format_of(path);
+    if (channels == 3 && (format == MapFormat::dds || format == MapFormat::ktx2))
+        return fail(ErrorCode::usage, path.string() + ": GPUs have no texture of three channels; leave out the normals too, or nothing");
+    if (channels == 2 && format == MapFormat::targa) return fail(ErrorCode::usage, path.string() + ": a TGA has one, three or four channels; choose another format");
     if (layout) return {};
     return fail(layout.error().code, path.string() + ": " + layout.error().message);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 namespace reliefbake {
@@ -17,10 +18,21 @@ std::vector<int> four_planes(int first, int planes) {
     return four;
 }
 
+/// The image of a map with one cone a texel: normal x, normal y, cone, depth. What the file has not is "-"; what it has is named by the
+/// readers of images, who call one channel Y, two Y and A.
+LayoutImage single_image(const ReliefMapInfo& info) {
+    static const std::vector<std::string> all{"relief.nx", "relief.ny", "relief.cone", "relief.depth"}, one{"Y"}, two{"Y", "A"};
+    const bool held[] = {info.held.normals, info.held.normals, info.held.cones, true};
+    const auto count = std::count(std::begin(held), std::end(held), true);
+    const std::vector<std::string>& letters = count == 1 ? one : count == 2 ? two : rgba_names;
+    LayoutImage image{"", {}, {{normal_x_plane, normal_y_plane, cone_plane, depth_plane}}};
+    std::size_t next = 0;
+    for (std::size_t plane = 0; plane < all.size(); ++plane)
+        image.channels.push_back(!held[plane] ? "-" : info.layout == ChannelLayout::named ? all[plane] : letters[next++]);
+    return image;
+}
+
 LayoutImage named_image(const ReliefMapInfo& info) {
-    if (!has_cone_planes(info.kind))
-        return {"", {"relief.nx", "relief.ny", "relief.cone", "relief.depth"},
-                {{normal_x_plane, normal_y_plane, cone_plane, depth_plane}}};
     LayoutImage image{"", {"relief.nx", "relief.ny", "relief.depth"}, {{normal_x_plane, normal_y_plane, depth_plane}}};
     const std::string layer = info.kind == "acm" ? "cone" + std::to_string(info.planes) + ".s" : info.kind == "cone-stack" ? "stack.k" : "pieces.k";
     for (int k = 0; k < info.planes; ++k) {
@@ -48,6 +60,7 @@ Result<void> check_layout(const ReliefMapInfo& info) {
         if (two_images) return refused("layouts side and pair are for eight sectors; a cone map has rgba or named");
         return {};
     }
+    if (info.held != HeldPlanes()) return refused("only maps of kind cone can leave out normals or cones");
     if (info.kind == "acm" && info.planes != 4 && info.planes != 8) return refused("an acm map has 4 or 8 sectors");
     if (info.planes < 1 || info.planes > most_planes) return refused("a cone stack has 1 to 64 levels or pieces");
     if (two_images && (info.kind != "acm" || info.planes != 8)) return refused("layouts side and pair are for eight sectors");
@@ -58,13 +71,23 @@ Result<void> check_layout(const ReliefMapInfo& info) {
 
 std::vector<LayoutImage> layout_images(const ReliefMapInfo& info) {
     assert(check_layout(info) || !is_known_kind(info.kind));
+    if (!has_cone_planes(info.kind)) return {single_image(info)};
     if (info.layout == ChannelLayout::named) return {named_image(info)};
-    if (!has_cone_planes(info.kind)) return {{"", rgba_names, {{normal_x_plane, normal_y_plane, cone_plane, depth_plane}}}};
     const std::vector<int> first = four_planes(0, info.planes);
     if (info.layout == ChannelLayout::rgba) return {{"", rgba_names, {first}}};
     const std::vector<int> second = four_planes(4, info.planes);
     if (info.layout == ChannelLayout::side) return {{"", rgba_names, {first, second}}};
     return {{"", rgba_names, {first}}, {"_b", rgba_names, {second}}};
+}
+
+LayoutImage written_image(const LayoutImage& image) {
+    LayoutImage written{image.suffix, {}, std::vector<std::vector<int>>(image.parts.size())};
+    for (std::size_t c = 0; c < image.channels.size(); ++c) {
+        if (image.channels[c] == "-") continue;
+        written.channels.push_back(image.channels[c]);
+        for (std::size_t part = 0; part < image.parts.size(); ++part) written.parts[part].push_back(image.parts[part][c]);
+    }
+    return written;
 }
 
 std::filesystem::path image_path(const std::filesystem::path& path, const LayoutImage& image) {

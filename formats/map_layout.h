@@ -16,7 +16,7 @@ enum MapPlane { normal_x_plane, normal_y_plane, cone_plane, depth_plane, first_c
 /// One image file of a map.
 struct LayoutImage {
     std::string suffix;                  ///< behind the stem of the map's name: "", or "_b" for the second of a pair
-    std::vector<std::string> channels;   ///< names in the file, in the order of the samples
+    std::vector<std::string> channels;   ///< names in the file, in the order of the samples; "-" is a plane that the file has not
     std::vector<std::vector<int>> parts; ///< side by side from the left: the plane that each channel holds
 };
 
@@ -30,11 +30,14 @@ bool is_known_kind(const std::string& kind);
 bool holds_relief(const ReliefMapInfo& info);
 
 /// Refuses (usage, in words that make sense after "file: ") what no layout holds: acm has 4 or 8 planes, a cone-stack 1 or
-/// more; rgba up to 4 of them, side and pair 8.
+/// more; rgba up to 4 of them, side and pair 8; only cone maps leave out normals or cones.
 Result<void> check_layout(const ReliefMapInfo& info);
 
 /// The files of a map that check_layout passes, the one with the map's own name first.
 std::vector<LayoutImage> layout_images(const ReliefMapInfo& info);
+
+/// The image without the planes that its file has not: what is written.
+LayoutImage written_image(const LayoutImage& image);
 
 /// `path` with the image's suffix: map.png, map_b.png.
 std::filesystem::path image_path(const std::filesystem::path& path, const LayoutImage& image);

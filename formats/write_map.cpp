@@ -68,8 +68,8 @@ Result<void> write_texture(const fs::path& path, Levels levels, const LayoutImag
         interleave(level, image, bits, pixels.back().data());
         textures.push_back({image_width(level, image), level.grid.height, pixels.back()});
     }
-    if (*map_format_of(path) == MapFormat::dds) return batch.add(path, encode_dds(bits, textures));
-    return batch.add(path, encode_ktx2(bits, textures, metadata_text(levels[0]), "reliefbake " RELIEFBAKE_VERSION));
+    if (*map_format_of(path) == MapFormat::dds) return batch.add(path, encode_dds(bits, int(image.channels.size()), textures));
+    return batch.add(path, encode_ktx2(bits, int(image.channels.size()), textures, metadata_text(levels[0]), "reliefbake " RELIEFBAKE_VERSION));
 }
 
 void assert_whole([[maybe_unused]] const ReliefMap& map, const LayoutImage& image) {
@@ -80,7 +80,8 @@ void assert_whole([[maybe_unused]] const ReliefMap& map, const LayoutImage& imag
 
 Result<void> write_in_one(const fs::path& path, Levels levels, int threads, FileBatch& batch) {
     const MapFormat format = *map_format_of(path);
-    for (const LayoutImage& image : layout_images(levels[0].info)) {
+    for (const LayoutImage& whole : layout_images(levels[0].info)) {
+        const LayoutImage image = written_image(whole);
         for (const ReliefMap& level : levels) assert_whole(level, image);
         const fs::path file = image_path(path, image);
         const bool own = format == MapFormat::dds || format == MapFormat::ktx2;

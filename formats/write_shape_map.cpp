@@ -41,8 +41,8 @@ Result<void> write_texture(const fs::path& path, MapFormat format, const ShapeMa
     std::vector<std::byte> pixels(map.shape.size() * 4 * std::size_t(sample_bytes_of(bits)));
     interleave(planes_of(map), bits, pixels.data());
     const TextureLevel level{map.grid.width, map.grid.height, pixels};
-    if (format == MapFormat::dds) return write_file_atomically(path, encode_dds(bits, {&level, 1}));
-    return write_file_atomically(path, encode_ktx2(bits, {&level, 1}, metadata_text(map), "reliefbake " RELIEFBAKE_VERSION));
+    if (format == MapFormat::dds) return write_file_atomically(path, encode_dds(bits, 4, {&level, 1}));
+    return write_file_atomically(path, encode_ktx2(bits, 4, {&level, 1}, metadata_text(map), "reliefbake " RELIEFBAKE_VERSION));
 }
 
 } // namespace

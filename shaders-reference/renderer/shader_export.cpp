@@ -10,6 +10,14 @@
 namespace reliefbake {
 namespace {
 
+/// Where the file's channels belong in relief_map.
+std::string swizzle_of(const HeldPlanes& held) {
+    const bool holds[] = {held.normals, held.normals, held.cones, true};
+    std::string text;
+    for (int plane = 0, next = 0; plane < 4; ++plane) text.append(plane > 0 ? ", " : "").append(1, holds[plane] ? "RGBA"[next++] : '0');
+    return text;
+}
+
 std::string file_comment(const ReliefMap& map) {
     const ReliefMapInfo& info = map.info;
     const std::size_t planes = map.cone_planes.size();
@@ -23,6 +31,7 @@ std::string file_comment(const ReliefMap& map) {
     }
     text += ".\n// Samplers: linear, no mips, no sRGB decoding, " + addressing_of(map.grid) + ".\n";
     if (info.layout == ChannelLayout::named && planes == 0) text += "// In the file: relief.nx, relief.ny, relief.cone, relief.depth.\n";
+    if (planes == 0 && info.held != HeldPlanes()) text += "// The file has not all of them: give the texture the swizzle (" + swizzle_of(info.held) + ").\n";
     text += info.guarantee == "C"   ? "// No step passes a point of the relief (guarantee C).\n"
             : info.guarantee == "R" ? "// The last step holds the first hit alone (guarantee R).\n"
                                     : "// Nothing is guaranteed about these cones.\n";

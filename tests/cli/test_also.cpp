@@ -49,6 +49,10 @@ TEST_CASE("Maps of one run have the bytes of maps baked alone") {
         "cone -o ?12.png --metric l1 --lookup cell",
         "acm -o ?13.png --method adaptive --levels 2",
         "cone -o ?14.dds --tolerance 0 --cone-max 3",
+        "cone -o ?15.png --channels cone,depth --level 1",
+        "cone -o ?16.tif --channels normal,depth --bits 16",
+        "cone -o ?17.ktx2 --channels depth --level 2 --mips --mip-levels 3",
+        "cone-normal -o ?18.exr --level 2 --channels cone,depth",
     };
     const auto named = [](std::string map, const std::string& stem) {
         for (std::size_t at = map.find('?'); at != map.npos; at = map.find('?')) map.replace(at, 1, stem);
@@ -67,7 +71,7 @@ TEST_CASE("Maps of one run have the bytes of maps baked alone") {
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     const std::vector<std::string> alone = files("alone"), shared = files("shared");
-    REQUIRE(alone.size() == 15 + 2 + 6); // the second of a pair and a relief file; seven numbered levels
+    REQUIRE(alone.size() == 19 + 2 + 6); // the second of a pair and a relief file; seven numbered levels
     REQUIRE(shared.size() == alone.size());
     for (std::size_t k = 0; k < alone.size(); ++k) {
         CAPTURE(alone[k]);
@@ -77,7 +81,7 @@ TEST_CASE("Maps of one run have the bytes of maps baked alone") {
 
     const json result = json::parse(outcome.out);
     CHECK(schema_fault(result, json::parse(bytes_of(std::string(RELIEFBAKE_SCHEMA_DIR) + "/cone.schema.json"))) == "");
-    REQUIRE(result["also"].size() == 14);
+    REQUIRE(result["also"].size() == 18);
     CHECK(result["output"] == "shared0.png");
     CHECK(result["also"][2]["output"] == "shared3.exr");
     CHECK(result["also"][3]["map"]["kind"] == "acm");
@@ -196,4 +200,38 @@ TEST_CASE("bench also compares runs apart and together") {
     CHECK(result["together_seconds"] > 0);
     CHECK(result["together_stages"].contains("read"));
     CHECK(run_tool("bench also stone.pgm --repeat 1").out.find("% saved") != std::string::npos);
+}
+
+TEST_CASE("Channels and levels that are not wanted are neither baked nor held") {
+    write_inputs();
+    const auto baked = [](const std::string& options) {
+        const Outcome outcome = run_tool("cone stone.pgm --wrap repeat -o held.exr --json " + options);
+        INFO(options << ": " << outcome.err);
+        REQUIRE(outcome.status == 0);
+        return json::parse(outcome.out);
+    };
+    const json depth = baked("--channels depth");
+    CHECK(depth["map"]["channels"] == json({"-", "-", "-", "Y"}));
+    CHECK_FALSE(depth["seconds"].contains("cone_search"));
+    CHECK_FALSE(depth["statistics"].contains("ratio_mean"));
+    CHECK(depth["map"]["guarantee"] == "");
+    CHECK(run_tool("verify held.exr --source stone.pgm --rays 2000 --points 0 --crop 0").status == 0);
+    CHECK(run_tool("explain held.exr").out.find("the cones") == std::string::npos);
+    CHECK(run_tool("explain held.exr").out.find("depth   Y") != std::string::npos);
+
+    // A level alone is the level of the whole chain.
+    REQUIRE(run_tool("cone stone.pgm --wrap repeat -o chain.png --mips").status == 0);
+    REQUIRE(run_tool("cone stone.pgm --wrap repeat -o level.png --level 2").status == 0);
+    const auto facts = [](const std::string& file) { return json::parse(run_tool("explain " + file + " --json").out); };
+    CHECK(facts("level.png")["width"] == 18);
+    CHECK(facts("level.png")["statistics"] == facts("chain_mip2.png")["statistics"]);
+    const json few = baked("--mips --mip-levels 2");
+    CHECK(few["levels"].size() == 2);
+
+    for (const char* refused : {"--channels cone", "--channels depth,depth", "--channels normal,depth,", "--channels ''", "--channels depth --encoding ratio",
+                                "--channels depth --kind relaxed", "--channels cone,depth --normal-y dx", "--level 9", "--mip-levels 2", "--channels depth --mips --trilinear"}) {
+        INFO(refused);
+        CHECK(run_tool(std::string("cone stone.pgm --wrap repeat -o refused.exr ") + refused).status == 2);
+    }
+    CHECK(files("refused").empty());
 }

@@ -207,3 +207,32 @@ TEST_CASE("damaged metadata and values that mean nothing are bad data") {
     REQUIRE(write_map(folder / "m.exr", map));
     CHECK(read_map(folder / "m.exr").error().code == ErrorCode::bad_data);
 }
+
+TEST_CASE("Maps that leave planes out keep the others bit for bit, in one, two or three channels") {
+    TemporaryFolder folder;
+    for (const HeldPlanes held : {HeldPlanes{false, false}, HeldPlanes{false, true}, HeldPlanes{true, false}})
+        for (const Variant& variant : variants) {
+            const std::string path = (folder / variant.name).string();
+            ReliefMap map = map_of_every_code(variant.bits, variant.layout);
+            map.info.held = held;
+            if (!held.normals) map.normal_x = {}, map.normal_y = {};
+            if (!held.cones) map.cone = {}, map.info.guarantee.clear();
+            const bool targa = std::string(variant.name) == "m8.tga";
+            const Result<void> written = write_map(path, map);
+            INFO(variant.name << ", normals " << held.normals << ", cones " << held.cones);
+            if (targa && !held.normals && held.cones) { // no such TGA
+                CHECK_FALSE(written);
+                continue;
+            }
+            REQUIRE(written);
+            MapHints hints;
+            if (targa) hints = all_hints(), hints.channel_order = held.normals ? "RG-B" : "---Y";
+            const Result<ReliefMap> back = read_map(path, hints);
+            if (!back) FAIL(back.error().message);
+            CHECK(back->normal_x == map.normal_x);
+            CHECK(back->normal_y == map.normal_y);
+            CHECK(back->cone == map.cone);
+            CHECK(back->depth == map.depth);
+            if (!targa) CHECK(back->info.held == held);
+        }
+}

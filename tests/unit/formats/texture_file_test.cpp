@@ -13,6 +13,7 @@
 
 using namespace reliefbake;
 using namespace reliefbake::test;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -143,4 +144,35 @@ TEST_CASE("KTX2: header, index, descriptor, metadata, levels from the smallest a
         CHECK(end == file.data.size());
     }
     CHECK(read_map(folder / "m.ktx2").error().code == ErrorCode::bad_data);
+}
+
+TEST_CASE("DDS and KTX2 of one and two channels name their formats; three are refused") {
+    TemporaryFolder folder;
+    const std::uint32_t dxgi[][2] = {{61, 49}, {56, 35}, {54, 34}, {41, 16}}, vk[][2] = {{9, 16}, {70, 77}, {76, 83}, {100, 103}};
+    for (const BitDepth bits : depths)
+        for (const bool cones : {false, true}) {
+            ReliefMap map = mip_chain(3, 3, bits)[0];
+            map.info.held = {false, cones};
+            map.normal_x = {}, map.normal_y = {};
+            if (!cones) map.cone = {};
+            const std::size_t texel = std::size_t(1 + cones) * std::size_t(sample_bytes_of(bits)), data = 9 * texel;
+            const fs::path dds = folder / "m.dds", ktx = folder / "m.ktx2";
+            REQUIRE(write_map(dds, map));
+            const Bytes a{file_bytes(dds)};
+            CHECK(a.at(128) == dxgi[int(bits)][cones]);
+            CHECK(a.at(20) == 3 * texel);
+            CHECK(a.data.size() == 148 + data);
+            REQUIRE(write_map(ktx, map));
+            const Bytes b{file_bytes(ktx)};
+            CHECK(b.at(12) == vk[int(bits)][cones]);
+            const auto offset = std::size_t(b.at<std::uint64_t>(80));
+            CHECK(offset % 4 == 0);
+            CHECK(offset + data == b.data.size());
+            CHECK(b.at<std::uint16_t>(b.at(48) + 4 + 6) == 24 + 16 * (1 + cones)); // the descriptor's block
+            // Depth comes last in each texel.
+            if (bits == BitDepth::unorm8) CHECK(std::uint8_t(b.data[offset + texel - 1]) == std::lround(map.depth[0] * 255));
+            map.info.held = {true, false}, map.normal_x = map.normal_y = Image<float>(3, 3);
+            CHECK_FALSE(write_map(dds, map));
+            CHECK_FALSE(write_map(ktx, map));
+        }
 }
