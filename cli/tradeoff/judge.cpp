@@ -4,6 +4,7 @@
 #include "bake/parallel.h"
 #include "cli/assemble_map.h"
 #include "shaders-reference/measure/compare.h"
+#include "shaders-reference/measure/structural_similarity.h"
 #include "shaders-reference/measure/view_frame.h"
 #include "shaders-reference/oracle/first_hit.h"
 
@@ -147,7 +148,9 @@ Result<Measurement> Judge::measure(const March& march) {
             Result<Rendering> rendering = renderer_.render(with_march(view.drawing, march));
             if (!rendering) return tl::unexpected(rendering.error());
             seconds = std::min(seconds, rendering->seconds), cpu_seconds = std::min(cpu_seconds, rendering->cpu_seconds);
-            if (k == 0) judge_view(view, *rendering, sums);
+            if (k > 0) continue;
+            judge_view(view, *rendering, sums);
+            result.dissimilarity += (1 - structural_similarity(rendering->colour, view.colour)) / double(views_.size());
         }
         result.ms_per_frame += 1000 * seconds / double(views_.size());
         result.cpu_ms_per_frame += 1000 * cpu_seconds / double(views_.size());

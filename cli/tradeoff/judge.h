@@ -9,7 +9,6 @@
 #include "shaders-reference/oracle/bilinear_surface.h"
 #include "shaders-reference/renderer/relief_renderer.h"
 
-#include <optional>
 #include <vector>
 
 namespace reliefbake {
@@ -21,7 +20,6 @@ struct JudgeOptions {
     /// exact march over 8-bit codes of the source misses nothing: they are off by 1/510.
     double missed_depth = 1.0 / 256;
     int repeat = 2;       ///< frames drawn of each view; the fastest counts
-    bool perceptual = true; ///< compare pictures too
     RendererBackend backend = RendererBackend::osmesa;
     int threads = 0;      ///< of the oracle; 0: all. No figure but times depends on it
 };
@@ -44,7 +42,7 @@ struct Measurement {
     /// since it ends that near to the surface, whichever of two peaks in one line it took.
     double error_mean = 0, error_p99 = 0, error_max = 0;
     double mse = 0;          ///< mean squared height of the hit above or below the surface at the hit's uv (001 sec. 4.1)
-    std::optional<double> perceptual; ///< share of pixels that look different from the oracle's picture
+    double dissimilarity = 0; ///< 1 - structural similarity to the oracle's pictures, mean of the views: the perceptual measure
     double steps_mean = 0, steps_max = 0, fetches_mean = 0;
     double bytes_per_texel = 0; ///< of the source: a map of half the resolution has a quarter
     double bytes = 0;           ///< of all channels of the whole map
@@ -62,7 +60,7 @@ class Judge {
     /// Uploads the map that the next marches run over. Errors: those of ReliefRenderer::load.
     Result<void> load(const ReliefMap& map);
 
-    /// Deterministic but for times; bytes and bake_seconds are the caller's. Errors: those of ReliefRenderer::render, and of the image helper.
+    /// Deterministic but for times; bytes and bake_seconds are the caller's. Errors: those of ReliefRenderer::render.
     Result<Measurement> measure(const March& march);
 
     const JudgeOptions& options() const { return options_; }

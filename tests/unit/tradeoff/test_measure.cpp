@@ -54,6 +54,7 @@ TEST_CASE("exact marches miss nothing, at any depth of bits, and err by no more 
             CHECK(result.missed == 0);
             CHECK(result.early == 0);
             CHECK(result.error_max <= few_rays().missed_depth);
+            CHECK(result.dissimilarity < (bits == BitDepth::float32 ? 0.001 : 0.2));
         }
     }
 }
@@ -68,6 +69,7 @@ TEST_CASE("a linear search errs less with more steps, costs more, and halving na
         CAPTURE(steps);
         CHECK(next.error_mean < last.error_mean);
         CHECK(next.missed <= last.missed);
+        CHECK(next.dissimilarity < last.dissimilarity);
         CHECK(next.fetches_mean > last.fetches_mean);
         CHECK(next.steps_mean > last.steps_mean);
         last = next;
