@@ -17,6 +17,7 @@ class BenchSurfaceCommand : public Command {
     RevolvedSurface surface_;
     int segments_ = 64;
     int shear_ = 0;
+    double scale_ = 1;
     std::string output_;
     bool json_ = false;
 };

@@ -3,12 +3,16 @@
 #include "cli/choices.h"
 #include "cli/number_options.h"
 #include "formats/mesh_file.h"
+#include "formats/shape_file.h"
+#include "shaders-reference/measure/shape_relief.h"
+#include "shaders-reference/measure/stored_depth.h"
 
 namespace reliefbake {
 
 namespace {
 
-const Words<Correction> correction_words = {{"none", Correction::none}, {"ray", Correction::ray}, {"cone", Correction::cone}, {"bent", Correction::bent}};
+const Words<Correction> correction_words = {{"none", Correction::none}, {"ray", Correction::ray}, {"cone", Correction::cone},
+                                            {"ray-published", Correction::ray_published}, {"cone-published", Correction::cone_published}, {"bent", Correction::bent}};
 const Words<bool> terms_words = {{"ab", false}, {"abc", true}};
 const Words<std::string> ends_words = {{"u", "u"}, {"v", "v"}, {"uv", "uv"}};
 
@@ -39,16 +43,43 @@ MeshObject mesh_object(const Mesh& mesh, const MeshOptions& options, double dept
     return {&mesh, {depth_scale, options.tiles.first, options.tiles.second}, options.ends_u(), options.ends_v()};
 }
 
-Result<MeshRenderOptions> mesh_picture(const MeshOptions& options, const TechniqueOptions& technique, const ReliefMap& map) {
-    if (technique.exact_finish) return fail(ErrorCode::usage, "--exact-finish: is for planes");
+namespace {
+
+MeshRenderOptions mesh_picture(const MeshOptions& options, const TechniqueOptions& technique) {
     MeshRenderOptions picture;
     picture.correction = options.correction;
     picture.twist = options.twist;
-    picture.technique = technique.technique.value_or(!has_cones(map) ? Technique::binary : suitable_technique(map));
     picture.max_steps = technique.steps.value_or(picture.max_steps);
     picture.linear_steps = technique.steps.value_or(picture.linear_steps);
     picture.binary_steps = technique.binary_steps.value_or(picture.binary_steps);
     return picture;
+}
+
+Result<LoadedMap> load_shape(MeshRenderer* renderer, const std::string& file, const MapHints& hints, MeshRenderOptions picture, const SolidOptions& given) {
+    const Result<ShapeSolid> solid = resolve_solid(given);
+    if (!solid) return tl::unexpected(solid.error());
+    const Result<ShapeMap> map = read_shape_map(file, hints.max_bytes);
+    if (!map) return tl::unexpected(map.error());
+    if (renderer)
+        if (Result<void> loaded = renderer->load(*map); !loaded) return tl::unexpected(loaded.error());
+    picture.solid = *solid;
+    return LoadedMap{shape_relief(*map, *solid), picture};
+}
+
+} // namespace
+
+Result<LoadedMap> load_mesh_map(MeshRenderer* renderer, const std::string& file, const MapHints& hints, bool shape, const MeshOptions& options,
+                                const TechniqueOptions& technique, const SolidOptions& solid) {
+    if (technique.exact_finish) return fail(ErrorCode::usage, "--exact-finish: is for planes");
+    MeshRenderOptions picture = mesh_picture(options, technique);
+    if (shape) return load_shape(renderer, file, hints, picture, solid);
+    const Result<ReliefMap> map = read_map(file, hints);
+    if (!map) return tl::unexpected(map.error());
+    if (map->depth.empty()) return fail(ErrorCode::usage, file + ": has no depth channel: there is no relief on a mesh");
+    if (renderer)
+        if (Result<void> loaded = renderer->load(*map); !loaded) return tl::unexpected(loaded.error());
+    picture.technique = technique.technique.value_or(!has_cones(*map) ? Technique::binary : suitable_technique(*map));
+    return LoadedMap{stored_depth(*map), picture};
 }
 
 } // namespace reliefbake

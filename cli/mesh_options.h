@@ -2,7 +2,9 @@
 // How a map lies on a mesh and its rays are followed there: shared by `render` and `verify`.
 
 #include "cli/command.h"
+#include "cli/solid_options.h"
 #include "cli/technique_options.h"
+#include "formats/map_file.h"
 #include "shaders-reference/renderer/mesh_renderer.h"
 
 #include <string>
@@ -34,7 +36,15 @@ Result<Mesh> read_framed_mesh(const std::string& file, Correction correction);
 /// The mesh outlives the result.
 MeshObject mesh_object(const Mesh& mesh, const MeshOptions& options, double depth_scale);
 
-/// What a march over meshes takes from the options; size, camera and light are left as they are. Refuses (usage) techniques for planes alone.
-Result<MeshRenderOptions> mesh_picture(const MeshOptions& options, const TechniqueOptions& technique, const ReliefMap& map);
+/// A relief or a shape map in the renderer, and how its rays are followed; size, camera and light are left as they are.
+struct LoadedMap {
+    DepthMap relief; ///< what is drawn, as the oracle takes it
+    MeshRenderOptions picture;
+};
+
+/// Reads `file` and loads it into the renderer, if there is one. `shape`: it is a shape map, of which `solid` makes an extrusion. Errors: those of
+/// the file; (usage) no depth; techniques for planes alone; a solid that is none.
+Result<LoadedMap> load_mesh_map(MeshRenderer* renderer, const std::string& file, const MapHints& hints, bool shape, const MeshOptions& options,
+                                const TechniqueOptions& technique, const SolidOptions& solid);
 
 } // namespace reliefbake

@@ -1,7 +1,6 @@
 #include "cli/render_mesh.h"
 
 #include "cli/choices.h"
-#include "formats/shape_file.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/verify_mesh.h"
 
@@ -32,28 +31,6 @@ Ball ball_around_all(const std::vector<Mesh>& meshes) {
     return ball;
 }
 
-/// Loads the map and says how its rays are followed.
-Result<MeshRenderOptions> load_map(MeshRenderer& renderer, const MeshPicture& given, const MeshOptions& mesh, bool shape) {
-    if (!shape) {
-        const Result<ReliefMap> map = read_map(given.file, given.hints);
-        if (!map) return tl::unexpected(map.error());
-        if (Result<void> loaded = renderer.load(*map); !loaded) return tl::unexpected(loaded.error());
-        return mesh_picture(mesh, given.technique, *map);
-    }
-    const Result<ShapeSolid> solid = resolve_solid(given.solid);
-    if (!solid) return tl::unexpected(solid.error());
-    const Result<ShapeMap> map = read_shape_map(given.file, given.hints.max_bytes);
-    if (!map) return tl::unexpected(map.error());
-    if (Result<void> loaded = renderer.load(*map); !loaded) return tl::unexpected(loaded.error());
-    MeshRenderOptions picture;
-    picture.correction = mesh.correction;
-    picture.twist = mesh.twist;
-    picture.max_steps = given.technique.steps.value_or(picture.max_steps);
-    picture.binary_steps = given.technique.binary_steps.value_or(picture.binary_steps);
-    picture.solid = *solid;
-    return picture;
-}
-
 } // namespace
 
 void add_render_mesh_options(CLI::App& app, RenderMeshOptions& options) {
@@ -81,14 +58,15 @@ Result<void> render_on_meshes(const MeshPicture& given, const RenderMeshOptions&
 
     Result<MeshRenderer> renderer = MeshRenderer::create(given.backend);
     if (!renderer) return tl::unexpected(renderer.error());
-    Result<MeshRenderOptions> picture = load_map(*renderer, given, options.mesh, shape);
-    if (!picture) return tl::unexpected(picture.error());
+    Result<LoadedMap> map = load_mesh_map(&*renderer, given.file, given.hints, shape, options.mesh, given.technique, given.solid);
+    if (!map) return tl::unexpected(map.error());
     if (Result<void> set = renderer->set_objects(objects); !set) return set;
-    picture->width = given.picture.width, picture->height = given.picture.height;
-    picture->supersample = given.picture.supersample;
-    picture->camera = make_orbit_camera(ball.middle, ball.radius, given.picture.view, double(picture->width) / picture->height);
-    picture->sun = sun_direction(given.picture.sun, given.picture.view);
-    const Result<MeshRendering> rendering = renderer->render(*picture);
+    MeshRenderOptions& picture = map->picture;
+    picture.width = given.picture.width, picture.height = given.picture.height;
+    picture.supersample = given.picture.supersample;
+    picture.camera = make_orbit_camera(ball.middle, ball.radius, given.picture.view, double(picture.width) / picture.height);
+    picture.sun = sun_direction(given.picture.sun, given.picture.view);
+    const Result<MeshRendering> rendering = renderer->render(picture);
     if (!rendering) return fail(rendering.error().code, given.file + ": " + rendering.error().message);
     return write_png(given.output, rendering->colour.width, rendering->colour.height, 3, rendering->colour.rgb);
 }

@@ -98,13 +98,18 @@ Result<void> VerifyCommand::run_shape() const {
 
 /// Curved relief: the mesh is the judge, not the oracle of planes.
 Result<void> VerifyCommand::run_mesh(const std::string& kind, int threads) const {
-    if (kind == "shape" || bump_kind_of(kind)) return fail(ErrorCode::usage, "--mesh: " + options_.file + " is a map of kind " + kind + ", which holds no relief");
+    if (bump_kind_of(kind)) return fail(ErrorCode::usage, "--mesh: " + options_.file + " is a map of kind " + kind + ", which holds no relief");
+    const bool shape = kind == "shape";
     const char* why = "says nothing to a judgement on a mesh (--mesh)";
-    Result<void> fits = refuse_given(*app_, "", {"--source", "--rays", "--points", "--seed", "--crop", "--exact-finish", "--filter", "--e", "--b", "--c", "--axis", "--scheme"}, why);
+    Result<void> fits = refuse_given(*app_, "", {"--source", "--rays", "--points", "--seed", "--crop", "--exact-finish", "--filter", "--axis", "--scheme"}, why);
+    if (fits && shape) fits = refuse_hints(options_.hints, options_.file, "shape").and_then([&] {
+        return refuse_given(*app_, "", {"--technique"}, options_.file + " is a shape map, which does not take it");
+    });
+    if (fits && !shape) fits = refuse_given(*app_, "", {"--e", "--b", "--c"}, "is for shape maps (reliefbake shape)");
     if (fits && options_.mesh.ideal)
         fits = refuse_given(*app_, "", {"--technique", "--steps", "--binary-steps", "--correction", "--terms"}, "is the shader's; --ideal marches without it");
     if (!fits) return fits;
-    return verify_on_mesh({options_.file, options_.hints, options_.mesh, options_.technique, options_.solid.depth_scale, options_.verify.backend, threads, options_.json,
+    return verify_on_mesh({options_.file, options_.hints, options_.mesh, options_.technique, options_.solid, shape, options_.verify.backend, threads, options_.json,
                            options_.pictures});
 }
 

@@ -4,7 +4,6 @@
 #include "cli/number_options.h"
 #include "cli/verify_text.h"
 #include "formats/write_image.h"
-#include "shaders-reference/measure/stored_depth.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -76,66 +75,49 @@ void add_verify_mesh_options(CLI::App& app, VerifyMeshOptions& options) {
 
 namespace {
 
-/// The reference shader, as the options have it.
-class RenderedFrames {
-  public:
-    static Result<RenderedFrames> create(const MeshJudgement& given, const ReliefMap& map, const Mesh& mesh, const MeshRelief& how) {
-        Result<MeshRenderer> renderer = MeshRenderer::create(given.backend);
-        if (!renderer) return tl::unexpected(renderer.error());
-        if (Result<void> loaded = renderer->load(map); !loaded) return tl::unexpected(loaded.error());
-        if (Result<void> set = renderer->set_objects({mesh_object(mesh, given.mesh.mesh, how.depth_scale)}); !set) return tl::unexpected(set.error());
-        const Result<MeshRenderOptions> picture = mesh_picture(given.mesh.mesh, given.technique, map);
-        if (!picture) return tl::unexpected(picture.error());
-        MeshRenderOptions options = *picture;
-        std::tie(options.width, options.height) = given.mesh.size;
-        return RenderedFrames(std::move(*renderer), options);
-    }
+Result<MeshVerifyReport> judge_ideal(const MeshJudgement& given, const BilinearSurface& relief, const Mesh& mesh, const MeshRelief& how, const MeshVerifyOptions& options) {
+    QuadricMarchOptions march;
+    march.model = *given.mesh.ideal;
+    march.ends_u = given.mesh.mesh.ends_u(), march.ends_v = given.mesh.mesh.ends_v();
+    march.width = options.width, march.height = options.height;
+    march.threads = given.threads;
+    return verify_mesh(mesh, relief, how, marching_shader(mesh, relief, how, march), options);
+}
 
-    Result<MeshFrame> operator()(const View& view, const Camera& camera) {
-        options_.camera = camera;
-        options_.sun = mesh_sun(view);
-        Result<MeshRendering> frame = renderer_.render(options_);
+/// By the reference shader, as the options have it.
+Result<MeshVerifyReport> judge_frames(const MeshJudgement& given, MeshRenderer& renderer, const LoadedMap& map, const Mesh& mesh, const MeshObject& object,
+                                      const MeshVerifyOptions& options) {
+    if (Result<void> set = renderer.set_objects({object}); !set) return tl::unexpected(set.error());
+    MeshRenderOptions picture = map.picture;
+    std::tie(picture.width, picture.height) = given.mesh.size;
+    const auto shader = [&](const View& view, const Camera& camera) -> Result<MeshFrame> {
+        picture.camera = camera;
+        picture.sun = mesh_sun(view);
+        Result<MeshRendering> frame = renderer.render(picture);
         if (!frame) return tl::unexpected(frame.error());
         return MeshFrame{std::move(frame->distance), std::move(frame->steps), std::move(frame->colour), frame->seconds};
-    }
-
-  private:
-    RenderedFrames(MeshRenderer renderer, const MeshRenderOptions& options) : renderer_(std::move(renderer)), options_(options) {}
-    MeshRenderer renderer_;
-    MeshRenderOptions options_;
-};
-
-Result<MeshVerifyReport> judge_frames(const MeshJudgement& given, const ReliefMap& map, const Mesh& mesh) {
-    constexpr double default_depth = 0.1; // of the mesh's radius
-    const BilinearSurface relief(stored_depth(map));
-    const MeshRelief how = mesh_object(mesh, given.mesh.mesh, given.depth_scale.value_or(default_depth * ball_around(mesh).radius)).relief;
-    MeshVerifyOptions options;
-    options.backend = given.backend;
-    std::tie(options.width, options.height) = given.mesh.size;
-    if (!given.mesh.views.empty()) options.views = given.mesh.views;
-    options.pictures = !given.pictures.empty();
-    if (given.mesh.ideal) {
-        QuadricMarchOptions march;
-        march.model = *given.mesh.ideal;
-        march.ends_u = given.mesh.mesh.ends_u(), march.ends_v = given.mesh.mesh.ends_v();
-        std::tie(march.width, march.height) = given.mesh.size;
-        march.threads = given.threads;
-        return verify_mesh(mesh, relief, how, marching_shader(mesh, relief, how, march), options);
-    }
-    Result<RenderedFrames> frames = RenderedFrames::create(given, map, mesh, how);
-    if (!frames) return tl::unexpected(frames.error());
-    return verify_mesh(mesh, relief, how, [&](const View& view, const Camera& camera) { return (*frames)(view, camera); }, options);
+    };
+    return verify_mesh(mesh, BilinearSurface(map.relief), object.relief, shader, options);
 }
 
 } // namespace
 
 Result<void> verify_on_mesh(const MeshJudgement& given) {
-    const Result<ReliefMap> map = read_map(given.file, given.hints);
-    if (!map) return tl::unexpected(map.error());
-    if (map->depth.empty()) return fail(ErrorCode::usage, given.file + ": has no depth channel: there is no relief to judge");
+    constexpr double default_depth = 0.1; // of the mesh's radius
     const Result<Mesh> mesh = read_framed_mesh(given.mesh.file, given.mesh.mesh.correction);
     if (!mesh) return tl::unexpected(mesh.error());
-    const Result<MeshVerifyReport> report = judge_frames(given, *map, *mesh);
+    Result<MeshRenderer> renderer = MeshRenderer::create(given.backend);
+    if (!renderer) return tl::unexpected(renderer.error());
+    const Result<LoadedMap> map = load_mesh_map(given.mesh.ideal ? nullptr : &*renderer, given.file, given.hints, given.shape, given.mesh.mesh, given.technique, given.solid);
+    if (!map) return tl::unexpected(map.error());
+    const MeshObject object = mesh_object(*mesh, given.mesh.mesh, given.solid.depth_scale.value_or(default_depth * ball_around(*mesh).radius));
+    MeshVerifyOptions options;
+    options.backend = given.backend;
+    std::tie(options.width, options.height) = given.mesh.size;
+    if (!given.mesh.views.empty()) options.views = given.mesh.views;
+    options.pictures = !given.pictures.empty();
+    const Result<MeshVerifyReport> report = given.mesh.ideal ? judge_ideal(given, BilinearSurface(map->relief), *mesh, object.relief, options)
+                                                             : judge_frames(given, *renderer, *map, *mesh, object, options);
     if (!report) return fail(report.error().code, given.mesh.file + ": " + report.error().message);
     std::fputs((given.json ? to_json(*report).dump(2) + "\n" : verify_text(*report)).c_str(), stdout);
     if (!given.pictures.empty())

@@ -31,7 +31,8 @@ struct MeshJudgement {
     MapHints hints;
     VerifyMeshOptions mesh;
     TechniqueOptions technique;
-    std::optional<double> depth_scale;
+    SolidOptions solid; ///< depth scale; of shape maps e, b and c
+    bool shape; ///< a shape map, whose extrusion is judged
     RendererBackend backend;
     int threads;
     bool json;

@@ -25,8 +25,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 data=${RELIEFBAKE_DATA:-$here/../../shared/data}
 
-surfaces=(sphere torus cylinder torus-open vase) depths=(0.05 0.1 0.2 0.4 0.6) steps=(5 10 20 25 35) level=1 size=640x480 full_size=1024x768 # full size for the goal and the pictures
-if [[ $quick ]]; then surfaces=(cylinder) depths=(0.1) steps=(35) level=3 size=256x192 full_size=256x192; fi
+surfaces=(sphere torus cylinder torus-open vase) depths=(0.05 0.1 0.2 0.4 0.6) steps=(5 10 20 25 35) level=1 size=640x480 full_size=1024x768 small_size=400x300 # full for the goal and the pictures, small for steps and depths
+if [[ $quick ]]; then surfaces=(cylinder) depths=(0.1) steps=(35) level=3 size=256x192 full_size=256x192 small_size=256x192; fi
 most=35
 
 # Maps, meshes, and of each mesh its radius, repeats and views: none looks through an open end.
@@ -135,10 +135,10 @@ goal() {
 by_depth() {
     header "$most steps" "${depths[@]}"
     for surface in "${surfaces[@]}"; do
-        [[ $surface != torus* && $surface != teapot ]] || continue
+        [[ $surface != torus-open ]] || continue
         for correction in none ray cone bent; do
             printf '| %s, %s |' "$surface" $correction
-            for depth in "${depths[@]}"; do judge "$surface" "$depth" conservative --steps $most --binary-steps 5 --correction $correction | jq -r "$cell"' " \(cell) |"' | tr -d '\n'; done
+            for depth in "${depths[@]}"; do judge "$surface" "$depth" conservative --size $small_size --steps $most --binary-steps 5 --correction $correction | jq -r "$cell"' " \(cell) |"' | tr -d '\n'; done
             echo
         done
     done
@@ -146,12 +146,13 @@ by_depth() {
 
 by_steps() {
     header 'depth 0.1' "${steps[@]}"
-    for surface in "${surfaces[@]:0:1}"; do
+    for surface in "${surfaces[@]}"; do
+        [[ $surface != torus-open ]] || continue
         methods | grep -v 'no correction' | while IFS='|' read -r name map options; do
             printf '| %s, %s |' "$surface" "$name"
             # shellcheck disable=SC2086
             for count in "${steps[@]}"; do
-                judge "$surface" 0.1 "$map" --steps "$count" --binary-steps 5 $options | jq -r "$cell"' " \(cell), holes \(.holes * 1e4 / .truth | round / 100) %, steps \(.steps_mean * 10 | round / 10) |"' | tr -d '\n'
+                judge "$surface" 0.1 "$map" --size $small_size --steps "$count" --binary-steps 5 $options | jq -r "$cell"' " \(cell), holes \(.holes * 1e4 / .truth | round / 100) %, steps \(.steps_mean * 10 | round / 10) |"' | tr -d '\n'
             done
             echo
         done
@@ -166,6 +167,50 @@ by_terms() {
         for terms in ab abc; do judge sheared 0.1 conservative --steps $most --binary-steps 5 --correction $correction --terms $terms | jq -r "$cell"' " \(cell), holes \(.holes * 1e4 / .truth | round / 100) % |"' | tr -d '\n'; done
         echo
     done
+}
+
+# 000's text as printed, in three units of the same mesh, beside the corrected one.
+printed() {
+    local scales=(0.1 1 10) surface
+    header "$most steps, depth 0.1 of the radius" "${scales[@]/#/1 unit x }"
+    for surface in "${surfaces[@]:0:3}"; do
+        for scale in "${scales[@]}"; do
+            radius[$surface-$scale]=$("$tool" bench surface "$surface" --segments "$(segments "$surface")" --scale "$scale" -o "$scratch/$surface-$scale.glb" --json | jq .radius)
+            tiles[$surface-$scale]=${tiles[$surface]} views[$surface-$scale]=${views[$surface]} ends[$surface-$scale]=${ends[$surface]-}
+        done
+        for row in 'ray|conservative' 'ray-published|conservative' 'ray-published|relaxed' 'cone|conservative' 'cone-published|conservative' 'cone-published|relaxed'; do
+            printf '| %s, %s cones, %s |' "$surface" "${row#*|}" "${row%|*}"
+            for scale in "${scales[@]}"; do
+                judge "$surface-$scale" 0.1 "${row#*|}" --size $small_size --steps $most --binary-steps 10 --correction "${row%|*}" | jq -r "$cell"' " \(cell), \(.depth_mean * 1000 | round / 1000), holes \(.holes * 1e3 / .truth | round / 10) % |"' | tr -d '\n'
+            done
+            echo
+        done
+    done
+}
+
+# Extrusions (004) beside the mesh displaced by the relief that each of them is.
+by_kind() {
+    local kinds=('basic|' 'extended, e 0.03|--e 0.03' 'bevelled, b 0.08|--b 0.08' 'chamfered, c 0.6|--b 0.08 --c 0.6') surface
+    "$tool" shape "$here/data/shapes/flipper128.png" -o "$scratch/shape.png" --wrap repeat --antialiased --quiet
+    header '25 steps, 5 halvings, depth 0.1' 'no correction' 'ray rectified (004)' 'as printed' 'bent (ours)' 'bent, 100 steps'
+    for surface in "${surfaces[@]:0:3}"; do
+        for kind in "${kinds[@]}"; do
+            printf '| %s, %s |' "$surface" "${kind%|*}"
+            for how in 'none 25' 'ray 25' 'ray-published 25' 'bent 25' 'bent 100'; do
+                # shellcheck disable=SC2086 # options are words
+                judge_shape "$surface" ${how% *} ${how#* } ${kind#*|} | jq -r "$cell"' " \(cell), \(.depth_mean * 1000 | round / 1000), steps \(.steps_mean * 10 | round / 10) |"' | tr -d '\n'
+            done
+            echo
+        done
+    done
+}
+judge_shape() {
+    local surface=$1 correction=$2 steps=$3 where=${ends[$1]-}
+    shift 3
+    if [[ $correction == none ]]; then where=; fi
+    # shellcheck disable=SC2086
+    "$tool" verify "$scratch/shape.png" --mesh "$scratch/$surface.glb" --depth-scale "$(jq -n "0.1 * ${radius[$surface]}")" --mesh-tiles "${tiles[$surface]}" \
+        ${views[$surface]} $where --json --size $small_size --correction "$correction" --steps "$steps" --binary-steps 5 "$@"
 }
 
 # The papers' figures: one view without and with correction beside the truth, what differs, and the numbers under each.
@@ -202,5 +247,7 @@ if [[ $quick ]] && ! grep -q '100 steps.* reached' "$scratch/table"; then echo '
 by_steps | put steps
 by_method | put methods
 by_terms | put terms
+printed | put printed
+[[ $quick ]] || by_kind | put extrusions
 by_depth | put depths
 if [[ $page ]]; then pictures "$(dirname "$page")/pictures/curved" | put pictures; fi

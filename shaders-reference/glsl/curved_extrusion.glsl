@@ -1,10 +1,11 @@
 // Extrusion over a curved polygon in all its kinds (004 Algorithms 3 to 9): circle tracing along the bent way, then halving of the last
-// step. Needs shape_solid.glsl and curved_path.glsl. Steps as in circle_trace.glsl, with the speeds of the way where it stands.
+// step. Needs shape_solid.glsl and curved_finish.glsl. Steps as in circle_trace.glsl, with the speeds of the way where it stands.
 
 vec3 curved_solid_place(CurvedPlace place) { return vec3(place.uv, place.depth); }
 
-float curved_solid_gap(CurvedPlace place) {
-    return shape_safe(shape_distance(solid_texel(curved_solid_place(place)))) - solid_widened(place.depth);
+float curved_gap(CurvedRay ray, float t) { // to the solid, or the floor
+    CurvedPlace place = curved_place(ray, t);
+    return min(shape_safe(shape_distance(solid_texel(curved_solid_place(place)))) - solid_widened(place.depth), 1.0 - place.depth);
 }
 
 CurvedHit curved_extrusion(CurvedRay ray) {
@@ -20,15 +21,16 @@ CurvedHit curved_extrusion(CurvedRay ray) {
         float distance = shape_safe(shape_distance(solid_texel(curved_solid_place(place))));
         hit.steps += 1;
         hit.fetches += 1;
-        hit.gap = distance - solid_widened(place.depth);
-        if (hit.gap <= solid_epsilon || place.depth >= 1.0) { // the floor, too
+        float gap = distance - solid_widened(place.depth);
+        hit.gap = min(gap, 1.0 - place.depth);
+        if (gap <= solid_epsilon || place.depth >= 1.0) {
             hit.status = CURVED_HIT;
             break;
         }
         float speed = length(vec2(place.along.x, shape_aspect * place.along.y));
         bool widening = place.depth < solid_chamfer;
         float sinks = max(place.sinks, 0.0);
-        float step = solid_quotient(hit.gap, widening ? speed + solid_bevel * sinks : speed);
+        float step = solid_quotient(gap, widening ? speed + solid_bevel * sinks : speed);
         float beyond_foot = distance - solid_widened(solid_chamfer);
         if (widening && beyond_foot > 0.0) step = max(step, solid_quotient(beyond_foot, speed));
         step = curved_shortened(step, bend, place.sinks);
@@ -40,17 +42,5 @@ CurvedHit curved_extrusion(CurvedRay ray) {
         above = hit.t;
         hit.t += step;
     }
-    if (hit.status != CURVED_HIT || hit.t <= 0.0) return hit;
-    float inside = hit.t;
-    for (int i = 0; i < solid_binary_steps; ++i) {
-        float middle = 0.5 * (above + inside);
-        CurvedPlace place = curved_place(ray, middle);
-        hit.steps += 1;
-        hit.fetches += 1;
-        hit.gap = curved_solid_gap(place);
-        if (hit.gap <= 0.0 || place.depth >= 1.0) inside = middle;
-        else above = middle;
-    }
-    hit.t = inside;
-    return hit;
+    return curved_finish(ray, above, hit, solid_binary_steps);
 }

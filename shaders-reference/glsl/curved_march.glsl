@@ -1,5 +1,5 @@
 // Cone tracing over a curved polygon (000 Algorithm 7), conservative and relaxed, then halving of the last step. Needs relief_map.glsl,
-// relief_cones.glsl and curved_path.glsl.
+// relief_cones.glsl and curved_finish.glsl.
 //
 //   CURVED_CONE 0  the ray is rectified (Algorithms 3, 4): a cone is met where the bent way, straight on from here, leaves it
 //               1  the cone is (5, 6): its apex sinks with the surface, D' = D - (a Vx^2 + b Vy^2) t^2, below a ray that stays straight
@@ -16,19 +16,6 @@ uniform float relief_epsilon; // a ray this close above the relief has hit it
 float curved_gap(CurvedRay ray, float t) {
     CurvedPlace place = curved_place(ray, t);
     return relief_depth(textureLod(relief_map, place.uv, 0.0)) - place.depth;
-}
-
-CurvedHit curved_halve(CurvedRay ray, float above, CurvedHit hit) {
-    float under = hit.t;
-    for (int i = 0; i < relief_binary_steps; ++i) {
-        hit.t = 0.5 * (above + under);
-        hit.gap = curved_gap(ray, hit.t);
-        hit.steps += 1;
-        hit.fetches += 1;
-        if (hit.gap <= 0.0) under = hit.t;
-        else above = hit.t;
-    }
-    return hit;
 }
 
 CurvedHit curved_march(CurvedRay ray) {
@@ -65,16 +52,7 @@ CurvedHit curved_march(CurvedRay ray) {
         above = hit.t;
         hit.t += max(step, least);
     }
-    if (hit.status == CURVED_OUT_OF_STEPS) { // the last step may have ended in the relief, or outside
-        CurvedPlace place = curved_place(ray, hit.t);
-        hit.gap = relief_depth(textureLod(relief_map, place.uv, 0.0)) - place.depth;
-        hit.fetches += 1;
-        if (hit.gap <= 0.0) hit.status = CURVED_HIT;
-        else if (place.sinks < 0.0) hit.status = CURVED_LEFT; // climbs above the relief: most such rays leave
-        if (curved_is_out(ray, place)) hit.status = CURVED_LEFT;
-    }
-    if (hit.status == CURVED_HIT && hit.gap < 0.0 && hit.t > 0.0) return curved_halve(ray, above, hit);
-    return hit;
+    return curved_finish(ray, above, hit, relief_binary_steps);
 }
 
 uniform int relief_linear_steps;
@@ -103,6 +81,5 @@ CurvedHit curved_search(CurvedRay ray) {
     CurvedPlace last = curved_place(ray, hit.t);
     if (hit.status != CURVED_HIT && last.depth > 0.5) hit.status = CURVED_HIT;
     if (hit.status != CURVED_HIT || (hit.t > 0.0 && curved_is_out(ray, last))) hit.status = CURVED_LEFT;
-    if (hit.status == CURVED_HIT && hit.t > 0.0) return curved_halve(ray, above, hit);
-    return hit;
+    return curved_finish(ray, above, hit, relief_binary_steps);
 }

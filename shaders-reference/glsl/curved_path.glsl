@@ -6,6 +6,7 @@
 //                1  the vertical distance to the quadric: depth(t) = -Vz t + (a Vx^2 + b Vy^2 + c Vx Vy) t^2 (000 formula 12)
 //                2  the distance to a torus with the quadric's two curvatures: exact over spheres, cylinders and the equators of tori; uv is
 //                   taken to second order, so that texture keeps its place where it widens or turns over the surface
+//                3  as printed: curved_path_published.glsl
 
 struct CurvedRay {
     vec2 origin;   // uv where it enters, depth 0
@@ -14,6 +15,7 @@ struct CurvedRay {
     mat2 chart;    // uv per (x, y)
     vec3 bend_u;   // CURVED_PATH 2: second derivatives of u by x and y: xx, xy, yy;
     vec3 bend_v;   // and of v
+    float unit;    // one unit of the mesh; CURVED_PATH 3 alone depends on it
     vec4 ends;     // least u, v and greatest u, v of the map on this mesh: where it ends with the mesh, so does the relief
 };
 
@@ -149,7 +151,9 @@ CurvedPlace curved_place(CurvedRay ray, float t) {
     place.up = vec3(s1 * c2 * first + s2 * second, c1 * c2);
     return place;
 }
-#else
+#endif
+
+#if CURVED_PATH < 2
 CurvedPlace curved_place(CurvedRay ray, float t) {
     float bend = curved_bend(ray);
     CurvedPlace place;

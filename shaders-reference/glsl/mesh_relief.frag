@@ -66,6 +66,7 @@ void main() {
     if (mesh_ends.y == 0.0) ray.ends.yw = vec2(-1e30, 1e30);
     ray.sight = vec3(dot(view, tangent), dot(view, bitangent), dot(view, up));
     ray.quadric = mesh_depth_scale * mesh_quadric;
+    ray.unit = 1.0 / mesh_depth_scale;
 #if !MESH_TWIST
     ray.quadric.z = 0.0;
 #endif

@@ -56,7 +56,13 @@ Object upload(const GlFunctions& gl, const std::vector<MeshVertex>& vertices) {
     return object;
 }
 
-int path_of(Correction correction) { return correction == Correction::none ? 0 : correction == Correction::bent ? 2 : 1; }
+bool sinks_cone(Correction correction) { return correction == Correction::cone || correction == Correction::cone_published; }
+bool is_published(Correction correction) { return correction == Correction::ray_published || correction == Correction::cone_published; }
+
+int path_of(Correction correction) {
+    if (is_published(correction)) return published_path;
+    return correction == Correction::none ? 0 : correction == Correction::bent ? 2 : 1;
+}
 
 } // namespace
 
@@ -88,12 +94,13 @@ Result<void> MeshRenderer::State::check(const MeshRenderOptions& options) const 
             return wrong("the mesh has no quadrics: bake them with `reliefbake quadric`, or leave the correction out (none)");
         if (!(object.relief.depth_scale > 0 && std::isfinite(object.relief.depth_scale))) return wrong("depth scale: expected a number greater than 0");
     }
-    if (solid && options.correction == Correction::cone) return wrong("correction cone is for cone maps; a shape map has none");
-    if (solid) return {};
+    if (solid) return sinks_cone(options.correction) ? wrong("corrections of the cone are for cone maps; a shape map has none") : Result<void>();
+    if (is_published(options.correction) && (options.technique == Technique::binary || std::max(decoder.sectors, decoder.levels) > 1))
+        return wrong("the published corrections are for maps of one cone a texel, followed by their cones");
     switch (options.technique) {
     case Technique::cone:
     case Technique::relaxed: return has_cones ? Result<void>() : wrong("this technique needs cones; the map has none");
-    case Technique::binary: return options.correction == Correction::cone ? wrong("correction cone needs a technique that reads cones") : Result<void>();
+    case Technique::binary: return sinks_cone(options.correction) ? wrong("correction cone needs a technique that reads cones") : Result<void>();
     default: return wrong("on meshes the techniques are cone, relaxed and binary");
     }
 }
@@ -104,7 +111,8 @@ Result<GLuint> MeshRenderer::State::program(const MeshRenderOptions& options) {
     config.shape_unorm = is_unorm(shape_info.bits), config.shape_signed = shape_info.signed_distance;
     config.decoder = decoder;
     config.path = path_of(options.correction);
-    config.sunk_cone = options.correction == Correction::cone;
+    config.sunk_cone = sinks_cone(options.correction);
+    config.halves = is_published(options.correction) && options.technique == Technique::relaxed;
     config.search = options.technique == Technique::binary;
     config.twist = options.twist;
     for (const CompiledProgram& known : programs)

@@ -5,7 +5,7 @@
 #include "bake/relief_map.h"
 #include "bake/shape_map.h"
 #include "mesh/mesh.h"
-#include "shaders-reference/oracle/displaced_mesh.h"
+#include "shaders-reference/mesh_relief.h"
 #include "shaders-reference/renderer/gl_context.h"
 #include "shaders-reference/renderer/relief_renderer.h"
 #include "shaders-reference/renderer/shape_texture.h"
@@ -20,6 +20,8 @@ enum class Correction {
     none, ///< not at all: every polygon is a plane, and nothing is cut away at the silhouette
     ray,  ///< the ray bends by the vertical distance to the quadric (000 Algorithms 3, 4; 004 Algorithms 3 to 6)
     cone, ///< the cone sinks with the quadric, the ray stays straight (000 Algorithms 5, 6); cone maps alone
+    ray_published,  ///< both as printed, for comparison: what they do depends on the mesh's unit
+    cone_published, ///< (000 Algorithms 1 to 7; 004 Algorithms 1 to 9)
     bent, ///< ours: the ray bends by the distance to a torus with the quadric's curvatures, and so do texture and normals
 };
 

@@ -21,15 +21,20 @@ std::string mesh_fragment_source(const MeshConfig& config, Prelude prelude) {
     }
     define_number("CURVED_PATH", config.path);
     define_number("CURVED_CONE", config.sunk_cone);
+    define_number("CURVED_HALVES", config.halves);
     define_number("MESH_SOLID", config.solid);
     define_number("MESH_TWIST", config.twist);
     define_number("MESH_KEEP", config.keep);
-    define("MESH_TRACE", config.solid ? "curved_extrusion" : config.search ? "curved_search" : "curved_march");
+    const std::string trace = config.solid ? "curved_extrusion" : config.search ? "curved_search" : "curved_march", as = config.path == published_path ? "_published" : "";
+    define("MESH_TRACE", trace + as);
     if (config.solid) {
-        for (const char* file : {"shape_map.glsl", "shape_solid.glsl", "curved_path.glsl", "curved_extrusion.glsl"}) source += shader_text(file);
+        for (const char* file : {"shape_map.glsl", "shape_solid.glsl"}) source += shader_text(file);
     } else {
-        for (const char* file : {"relief_map.glsl", "relief_cones.glsl", "curved_path.glsl", "curved_march.glsl"}) source += shader_text(file);
+        for (const char* file : {"relief_map.glsl", "relief_cones.glsl"}) source += shader_text(file);
     }
+    source += shader_text("curved_path.glsl");
+    source += shader_text(config.path == published_path ? "curved_path_published.glsl" : "curved_finish.glsl");
+    source += shader_text((config.solid ? "curved_extrusion" : "curved_march") + as + ".glsl");
     source += shader_text("light.glsl");
     source += shader_text("mesh_relief.frag");
     return source;

@@ -7,6 +7,8 @@
 
 namespace reliefbake {
 
+constexpr int published_path = 3; ///< CURVED_PATH of the papers' text as printed
+
 /// Everything that is fixed when a program is compiled.
 struct MeshConfig {
     bool solid = false;        ///< a shape map's extrusion, not relief
@@ -14,6 +16,7 @@ struct MeshConfig {
     ShaderConfig decoder;      ///< of a relief map
     int path = 2;              ///< CURVED_PATH
     bool sunk_cone = false;    ///< CURVED_CONE
+    bool halves = false;       ///< CURVED_HALVES
     bool search = false;       ///< linear search instead of cones
     bool twist = true;
     bool keep = true;          ///< MESH_KEEP

@@ -79,7 +79,8 @@ TEST_CASE("what does not fit a mesh is refused in a line") {
         CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') <= 2);
     };
     refused("verify bumps.exr --correction ray", "--mesh");
-    refused("verify spot.png --mesh cylinder.glb", "shape");
+    refused("verify spot.png --mesh cylinder.glb --technique cone", "shape map");
+    refused("verify spot.png --mesh cylinder.glb --correction cone-published", "cone maps");
     refused("verify bumps.exr --mesh cylinder.glb --ideal ab --steps 20", "--steps");
     refused("verify bumps.exr --mesh cylinder.glb --technique max-mip", "on meshes");
     refused("verify bumps.exr --mesh cylinder.glb --e 1", "--e");

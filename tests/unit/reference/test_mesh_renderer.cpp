@@ -5,6 +5,7 @@
 #include "bake/cone.h"
 #include "cli/bench/revolved.h"
 #include "mesh/quadric_bake.h"
+#include "shaders-reference/measure/shape_relief.h"
 #include "shaders-reference/measure/verify_mesh.h"
 #include "tests/support/fields.h"
 #include "tests/support/shapes.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 
 using namespace reliefbake;
 using namespace reliefbake::test;
@@ -249,6 +251,49 @@ TEST_CASE("The picture does not depend on the unit of length", "[renderer][mesh]
             const MeshRendering other = rendered({&scaled, {0.05 * scale, 6, 3}}, map, options);
             CAPTURE(int(correction), scale);
             CHECK(other.colour.rgb == plain.colour.rgb);
+        }
+}
+
+TEST_CASE("What the papers print draws another picture in another unit", "[renderer][mesh]") {
+    const Mesh mesh = surface("sphere", 48);
+    const MeshVerifyReport bent = judged(mesh, hills(), {0.1, 6, 3}, plenty(Correction::bent));
+    for (const Correction correction : {Correction::ray_published, Correction::cone_published}) {
+        double least = 1, most = 0;
+        for (const double scale : {0.1, 1.0, 10.0}) {
+            Mesh scaled = mesh;
+            for (Imath::V3d& p : scaled.positions) p *= scale;
+            scaled.quadrics.clear();
+            const MeshComparison total = judged(baked(scaled), hills(), {0.1 * scale, 6, 3}, plenty(correction)).total;
+            CHECK(total.not_finite == 0);
+            least = std::min(least, total.cut_iou()), most = std::max(most, total.cut_iou());
+        }
+        CAPTURE(int(correction), least, most);
+        CHECK(least < 0.5 * bent.total.cut_iou());
+        CHECK(most > least + 0.05);
+        CHECK(most < bent.total.cut_iou());
+    }
+}
+
+TEST_CASE("Every kind of extrusion over a sphere is the relief that it is", "[renderer][mesh]") {
+    const TexelGrid fine{64, 64, Wrap::repeat, Wrap::repeat, 1};
+    ShapeMapOptions bake;
+    bake.bits = BitDepth::float32;
+    const ShapeMap shape = shape_map_of(fine, shape_of(fine, [](int x, int y) { return std::hypot(x - 31.5, y - 31.5) < 14; }), bake);
+    const Mesh mesh = surface("sphere", 64);
+    const double none = std::numeric_limits<double>::infinity();
+    for (const auto& [e, b, c] : {std::tuple(0.0, 0.0, none), {0.1, 0.0, none}, {0.0, 0.15, none}, {0.03, 0.15, 0.5}})
+        for (const Correction correction : {Correction::ray, Correction::bent, Correction::ray_published}) {
+            MeshRenderOptions options = plenty(correction);
+            options.solid.outward = e, options.solid.bevel = b, options.solid.chamfer = c;
+            const MeshComparison total = judged_map(mesh, shape, shape_relief(shape, options.solid), {0.1, 6, 3}, options, false).total;
+            CAPTURE(e, b, c, int(correction), total.iou(), total.band_agreement(), total.depth_mean);
+            CHECK(total.not_finite == 0);
+            if (correction == Correction::ray_published) continue;
+            CHECK(total.iou() >= (correction == Correction::bent ? 0.98 : 0.965));
+            CHECK(total.band_agreement() >= (correction == Correction::bent ? 0.75 : 0.7));
+            ShapeSolid other = options.solid;
+            other.outward += 0.15;
+            CHECK(judged_map(mesh, shape, shape_relief(shape, other), {0.1, 6, 3}, options, false).total.depth_mean > total.depth_mean);
         }
 }
 

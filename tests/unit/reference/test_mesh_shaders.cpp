@@ -74,13 +74,14 @@ TEST_CASE("every shader of curved meshes is valid under all three preludes", "[s
     GlslangCheck check;
     for (const Prelude prelude : {Prelude::core330, Prelude::core450, Prelude::es300}) {
         check.add(mesh_vertex_source(prelude), ".vert");
-        for (int path = 0; path < 3; ++path)
+        for (int path = 0; path < 4; ++path)
             for (int bits = 0; bits < 32; ++bits) {
                 MeshConfig config;
                 config.path = path;
                 config.solid = bits & 1;
-                config.sunk_cone = !config.solid && path == 1 && bits & 2;
-                config.search = !config.solid && !config.sunk_cone && bits & 2;
+                config.sunk_cone = !config.solid && path % 2 == 1 && bits & 2;
+                config.halves = path == published_path && bits & 8;
+                config.search = !config.solid && path != published_path && !config.sunk_cone && bits & 2;
                 config.twist = bits & 4, config.keep = bits & 8;
                 config.shape_unorm = bits & 16, config.shape_signed = bits & 2;
                 config.decoder.sectors = bits & 16 ? 8 : 0;
