@@ -15,6 +15,7 @@
 #include "cli/explain.h"
 #include "cli/render.h"
 #include "cli/shader.h"
+#include "cli/tradeoff/tradeoff.h"
 #include "cli/verify.h"
 
 namespace reliefbake {
@@ -45,6 +46,7 @@ constexpr CommandEntry all_commands[] = {
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
+    {"tradeoff", "Measure what techniques, steps, bits and resolutions cost and bring on a map", make<TradeoffCommand>},
     {"verify", "Judge a baked map against an exact oracle", make<VerifyCommand>},
 };
 

@@ -4,6 +4,7 @@
 #include "bake/parallel.h"
 #include "cli/assemble_map.h"
 #include "shaders-reference/measure/compare.h"
+#include "shaders-reference/measure/heat_map.h"
 #include "shaders-reference/measure/structural_similarity.h"
 #include "shaders-reference/measure/view_frame.h"
 #include "shaders-reference/oracle/first_hit.h"
@@ -165,6 +166,18 @@ Result<Measurement> Judge::measure(const March& march) {
     result.error_p99 = percentile_99(sums.errors);
     result.steps_mean = sums.steps / rays, result.steps_max = sums.steps_max, result.fetches_mean = sums.fetches / rays;
     return result;
+}
+
+Result<JudgePicture> Judge::picture(const March& march) {
+    const TexelGrid& grid = surface_.grid();
+    RenderOptions drawing;
+    drawing.width = 240, drawing.height = 160;
+    drawing.endless = grid.wrap_x == Wrap::repeat && grid.wrap_y == Wrap::repeat;
+    drawing.view = {options_.steepest * 2 / 3, 30, 30, 0.6};
+    drawing.ambient = Ambient::none;
+    Result<Rendering> rendering = renderer_.render(with_march(drawing, march));
+    if (!rendering) return tl::unexpected(rendering.error());
+    return JudgePicture{rendering->colour, error_picture(*rendering, oracle_hits(surface_, *rendering, options_.threads))};
 }
 
 } // namespace reliefbake

@@ -44,11 +44,18 @@ struct Measurement {
     double mse = 0;          ///< mean squared height of the hit above or below the surface at the hit's uv (001 sec. 4.1)
     double dissimilarity = 0; ///< 1 - structural similarity to the oracle's pictures, mean of the views: the perceptual measure
     double steps_mean = 0, steps_max = 0, fetches_mean = 0;
+    double instructions = 0; ///< SPIR-V instructions of the march for a ray, by its mean steps (instruction_cost)
     double bytes_per_texel = 0; ///< of the source: a map of half the resolution has a quarter
     double bytes = 0;           ///< of all channels of the whole map
     double bake_seconds = 0;
     double ms_per_frame = 0;     ///< mean of the views
     double cpu_ms_per_frame = 0; ///< of the process's processor time, all its threads
+};
+
+/// One frame for people, 240 x 160, of two thirds of the steepest angle.
+struct JudgePicture {
+    RgbImage colour;
+    RgbImage error; ///< distance of each hit from the exact one (error_picture)
 };
 
 /// Holds the surface, and for each view its rays' exact hits, found once and used for every candidate.
@@ -62,6 +69,9 @@ class Judge {
 
     /// Deterministic but for times; bytes and bake_seconds are the caller's. Errors: those of ReliefRenderer::render.
     Result<Measurement> measure(const March& march);
+
+    /// The loaded map as people see it. Errors: those of ReliefRenderer::render.
+    Result<JudgePicture> picture(const March& march);
 
     const JudgeOptions& options() const { return options_; }
     std::size_t source_texels() const { return std::size_t(surface_.grid().width) * std::size_t(surface_.grid().height); }

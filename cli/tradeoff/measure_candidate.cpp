@@ -1,16 +1,29 @@
 #include "cli/tradeoff/measure_candidate.h"
 
+#include "cli/tradeoff/instruction_cost.h"
+#include "shaders-reference/measure/stored_depth.h"
+
 namespace reliefbake {
 
 Result<CandidateMeter> CandidateMeter::create(const BakeSource& source, double depth_scale, const JudgeOptions& options) {
     Result<Judge> judge = Judge::create(quantise_depth(*source.field, BitDepth::float32), depth_scale, options);
     if (!judge) return tl::unexpected(judge.error());
-    return CandidateMeter(std::move(*judge), RepresentationBaker(source, depth_scale, options.threads));
+    CandidateMeter meter(std::move(*judge));
+    meter.baker_.emplace(source, depth_scale, options.threads);
+    return meter;
 }
 
-Result<Measurement> CandidateMeter::measure(const Candidate& candidate) {
+Result<CandidateMeter> CandidateMeter::create(const ReliefMap& map, const JudgeOptions& options) {
+    Result<Judge> judge = Judge::create(stored_depth(map), map.info.depth_scale, options);
+    if (!judge) return tl::unexpected(judge.error());
+    if (Result<void> loaded = judge->load(map); !loaded) return tl::unexpected(loaded.error());
+    return CandidateMeter(std::move(*judge));
+}
+
+Result<CandidateMeter::Loaded> CandidateMeter::load(const Candidate& candidate) {
     if (Result<void> fits = check_candidate(candidate); !fits) return tl::unexpected(fits.error());
-    const Result<const BakedRepresentation*> baked = baker_.bake(candidate.map);
+    if (!baker_) return Loaded{judge_.source_texels(), 0};
+    const Result<const BakedRepresentation*> baked = baker_->bake(candidate.map);
     if (!baked) return tl::unexpected(baked.error());
     const ReliefMap& map = (*baked)->map;
     if (loaded_ != candidate.map) {
@@ -18,13 +31,23 @@ Result<Measurement> CandidateMeter::measure(const Candidate& candidate) {
         if (Result<void> loaded = judge_.load(map); !loaded) return tl::unexpected(loaded.error());
         loaded_ = candidate.map;
     }
+    return Loaded{map.depth.size(), (*baked)->seconds};
+}
+
+Result<Measurement> CandidateMeter::measure(const Candidate& candidate) {
+    const Result<Loaded> loaded = load(candidate);
+    if (!loaded) return tl::unexpected(loaded.error());
     Result<Measurement> measured = judge_.measure(candidate.march);
     if (!measured) return measured;
-    const double texels = double(map.depth.size());
-    measured->bytes = texels * bytes_per_texel(candidate);
+    measured->bytes = double(loaded->texels) * bytes_per_texel(candidate);
     measured->bytes_per_texel = measured->bytes / double(judge_.source_texels());
-    measured->bake_seconds = (*baked)->seconds;
+    measured->bake_seconds = loaded->bake_seconds;
+    measured->instructions = instruction_cost(candidate, measured->steps_mean);
     return measured;
+}
+
+Result<JudgePicture> CandidateMeter::picture(const Candidate& candidate) {
+    return load(candidate).and_then([&](const Loaded&) { return judge_.picture(candidate.march); });
 }
 
 } // namespace reliefbake

@@ -12,15 +12,26 @@ class CandidateMeter {
     /// `source` outlives the meter and keeps its field. Errors: those of Judge::create.
     static Result<CandidateMeter> create(const BakeSource& source, double depth_scale, const JudgeOptions& options);
 
-    /// No file is read or written. Deterministic but for times.
+    /// Measures marches over a map that is baked, judged on the surface that it stores; `map` outlives the meter.
+    static Result<CandidateMeter> create(const ReliefMap& map, const JudgeOptions& options);
+
+    /// No file is read or written. Of a baked map's candidates only the march and what is counted as bytes differ. Deterministic but for times.
     /// Errors: those of check_candidate, RepresentationBaker::bake, Judge::load and Judge::measure.
     Result<Measurement> measure(const Candidate& candidate);
 
+    /// What it looks like (Judge::picture). Errors: those of measure.
+    Result<JudgePicture> picture(const Candidate& candidate);
+
   private:
-    CandidateMeter(Judge judge, RepresentationBaker baker) : judge_(std::move(judge)), baker_(std::move(baker)) {}
+    struct Loaded {
+        std::size_t texels;
+        double bake_seconds;
+    };
+    explicit CandidateMeter(Judge judge) : judge_(std::move(judge)) {}
+    Result<Loaded> load(const Candidate& candidate);
 
     Judge judge_;
-    RepresentationBaker baker_;
+    std::optional<RepresentationBaker> baker_; ///< none for a map that is baked
     std::optional<Representation> loaded_;
 };
 
