@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Judges curved relief beside meshes really displaced: the tables and pictures of docs/CURVED.md.
 #
-#   tests/curved_table.sh [--quick] [-o docs/CURVED.md]
+#   tests/curved_table.sh [--quick] [--only TABLE]... [-o docs/CURVED.md]
 #
 #   --quick   one surface, small pictures of a small map, few rows, no pictures
+#   --only    goal, steps, methods, terms, printed, extrusions, depths or pictures; several may be given (default all)
 #   -o        put the tables into FILE.md (tests/put_table.sh), and the pictures into pictures/curved beside it
 #
 #   RELIEFBAKE_BINARY, RELIEFBAKE_DATA   as for tests/verify_all.sh
@@ -11,12 +12,13 @@ set -euo pipefail
 
 source "$(dirname "$0")/families.sh"
 
-quick='' page=''
+quick='' page='' only=''
 while (($#)); do
     case $1 in
         --quick) quick=yes ;;
+        --only) only+=" $2" && shift ;;
         -o) page=$2 && shift ;;
-        *) sed -n '2,9s/^# \{0,1\}//p' "$0" && exit 2 ;;
+        *) sed -n '2,10s/^# \{0,1\}//p' "$0" && exit 2 ;;
     esac
     shift
 done
@@ -242,12 +244,15 @@ put() {
     if [[ $page ]]; then "$here/put_table.sh" "$page" "$1" <"$scratch/table"; fi
     echo
 }
-goal | put goal
-if [[ $quick ]] && ! grep -q '100 steps.* reached' "$scratch/table"; then echo 'curved_table: the correction misses its goal' >&2 && exit 1; fi
-by_steps | put steps
-by_method | put methods
-by_terms | put terms
-printed | put printed
-[[ $quick ]] || by_kind | put extrusions
-by_depth | put depths
-if [[ $page ]]; then pictures "$(dirname "$page")/pictures/curved" | put pictures; fi
+wanted() { [[ ! $only || " $only " == *" $1 "* ]]; }
+if wanted goal; then
+    goal | put goal
+    if [[ $quick ]] && ! grep -q '100 steps.* reached' "$scratch/table"; then echo 'curved_table: the correction misses its goal' >&2 && exit 1; fi
+fi
+if wanted steps; then by_steps | put steps; fi
+if wanted methods; then by_method | put methods; fi
+if wanted terms; then by_terms | put terms; fi
+if wanted printed; then printed | put printed; fi
+if wanted extrusions; then by_kind | put extrusions; fi
+if wanted depths; then by_depth | put depths; fi
+if wanted pictures && [[ $page ]]; then pictures "$(dirname "$page")/pictures/curved" | put pictures; fi
