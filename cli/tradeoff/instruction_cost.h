@@ -8,12 +8,13 @@
 
 namespace reliefbake {
 
-/// SPIR-V instructions of a program's march, by `tests/instruction_table.sh`: glslang's code, optimised and inlined by spirv-opt -O.
+/// SPIR-V instructions of a program that glslang compiled and spirv-opt -O inlined and optimised; test_instruction_cost.cpp counts again.
 struct InstructionCount {
     std::string_view program; ///< instruction_program of the candidates it serves
-    int outside;  ///< of the whole program outside of its loops: shading and set-up too
-    int step;     ///< of one round of the march's loop, every branch of it counted
-    int refinement; ///< of one round of the refining loop; 0 without
+    int outside;    ///< of its loops: set-up and shading
+    int step;       ///< of the shortest way through a round of the march that goes on: what nearly every round takes
+    int refinement; ///< of a round that refines; 0 without
+    int patch;      ///< what the longest way takes more: the exact patch test
 };
 
 std::span<const InstructionCount> instruction_counts();
@@ -21,8 +22,9 @@ std::span<const InstructionCount> instruction_counts();
 /// What decides a candidate's program, e.g. "cone sectors8", "relaxed".
 std::string instruction_program(const Candidate& candidate);
 
-/// outside + rounds of each loop times its instructions. `steps_mean`: of both loops; the last `refinements` of them refine.
-/// 0 where the program is in no table.
-double instruction_cost(const Candidate& candidate, double steps_mean);
+/// Instructions of a ray: `outside`, and for each round of a loop its own. `steps`: mean of both loops, of which
+/// `refining` refine. Of exact techniques, which fetch once a step, four fetches more are a patch test.
+/// 0 where the program is in no table: stacked cones loop over their levels.
+double instruction_cost(const Candidate& candidate, double steps, double refining, double fetches);
 
 } // namespace reliefbake

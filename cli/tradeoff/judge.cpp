@@ -143,6 +143,7 @@ void Judge::judge_view(const ViewTruth& view, const Rendering& rendering, Sums& 
 Result<Measurement> Judge::measure(const March& march) {
     Sums sums;
     Measurement result;
+    double marching = 0;
     for (const ViewTruth& view : views_) {
         double seconds = nowhere, cpu_seconds = nowhere;
         for (int k = 0; k < options_.repeat; ++k) {
@@ -152,6 +153,13 @@ Result<Measurement> Judge::measure(const March& march) {
             if (k > 0) continue;
             judge_view(view, *rendering, sums);
             result.dissimilarity += (1 - structural_similarity(rendering->colour, view.colour)) / double(views_.size());
+        }
+        if (march.refinements > 0 && technique_info(march.technique).refines) { // what it takes without is the march
+            March plain = march;
+            plain.refinements = 0;
+            Result<Rendering> rendering = renderer_.render(with_march(view.drawing, plain));
+            if (!rendering) return tl::unexpected(rendering.error());
+            for (const Quad& counts : rendering->counts) marching += counts[0];
         }
         result.ms_per_frame += 1000 * seconds / double(views_.size());
         result.cpu_ms_per_frame += 1000 * cpu_seconds / double(views_.size());
@@ -164,7 +172,9 @@ Result<Measurement> Judge::measure(const March& march) {
     result.error_mean = sums.error / rays, result.mse = sums.mse / rays;
     result.error_max = *std::max_element(sums.errors.begin(), sums.errors.end());
     result.error_p99 = percentile_99(sums.errors);
-    result.steps_mean = sums.steps / rays, result.steps_max = sums.steps_max, result.fetches_mean = sums.fetches / rays;
+    result.steps_mean = sums.steps / rays, result.steps_max = sums.steps_max;
+    result.refining_steps_mean = marching > 0 ? (sums.steps - marching) / rays : 0;
+    result.fetches_mean = sums.fetches / rays;
     return result;
 }
 

@@ -44,6 +44,7 @@ struct Measurement {
     double mse = 0;          ///< mean squared height of the hit above or below the surface at the hit's uv (001 sec. 4.1)
     double dissimilarity = 0; ///< 1 - structural similarity to the oracle's pictures, mean of the views: the perceptual measure
     double steps_mean = 0, steps_max = 0, fetches_mean = 0;
+    double refining_steps_mean = 0; ///< of steps_mean, those that refine
     double instructions = 0; ///< SPIR-V instructions of the march for a ray, by its mean steps (instruction_cost)
     double bytes_per_texel = 0; ///< of the source: a map of half the resolution has a quarter
     double bytes = 0;           ///< of all channels of the whole map

@@ -42,7 +42,7 @@ Result<Measurement> CandidateMeter::measure(const Candidate& candidate) {
     measured->bytes = double(loaded->texels) * bytes_per_texel(candidate);
     measured->bytes_per_texel = measured->bytes / double(judge_.source_texels());
     measured->bake_seconds = loaded->bake_seconds;
-    measured->instructions = instruction_cost(candidate, measured->steps_mean);
+    measured->instructions = instruction_cost(candidate, measured->steps_mean, measured->refining_steps_mean, measured->fetches_mean);
     return measured;
 }
 

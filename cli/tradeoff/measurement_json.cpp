@@ -18,6 +18,7 @@ constexpr MeasurementField fields[] = {
     {"mse", &Measurement::mse},
     {"dissimilarity", &Measurement::dissimilarity},
     {"steps_mean", &Measurement::steps_mean},
+    {"refining_steps_mean", &Measurement::refining_steps_mean},
     {"steps_max", &Measurement::steps_max},
     {"fetches_mean", &Measurement::fetches_mean},
     {"instructions", &Measurement::instructions},

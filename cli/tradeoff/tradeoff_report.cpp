@@ -80,8 +80,14 @@ std::span<const TradeoffCost> tradeoff_costs() { return costs; }
 
 std::vector<std::size_t> front_of(const TradeoffSection& section, const TradeoffCost& cost) {
     std::vector<CostAndError> points;
-    for (const MeasuredCandidate& point : section.candidates) points.push_back({point.figures.*cost.value, point.figures.error_mean});
-    return pareto_front(points);
+    std::vector<std::size_t> index;
+    for (std::size_t k = 0; k < section.candidates.size(); ++k) {
+        const Measurement& figures = section.candidates[k].figures;
+        if (figures.*cost.value > 0) points.push_back({figures.*cost.value, figures.error_mean}), index.push_back(k); // 0: not known
+    }
+    std::vector<std::size_t> front = pareto_front(points);
+    for (std::size_t& k : front) k = index[k];
+    return front;
 }
 
 std::string tradeoff_csv(const std::vector<TradeoffSection>& sections) {

@@ -78,6 +78,9 @@ TEST_CASE("a linear search errs less with more steps, costs more, and halving na
     const Measurement linear = measured(meter, height_candidate(Technique::linear, 64));
     CHECK(halved.mse < linear.mse / 10);
     CHECK(halved.steps_mean == Approx(linear.steps_mean + 10));
+    CHECK(halved.refining_steps_mean == Approx(10));
+    CHECK(linear.refining_steps_mean == 0);
+    CHECK(halved.instructions > linear.instructions);
 }
 
 TEST_CASE("fewer texels and fewer bits are errors, and save bytes") {
