@@ -113,7 +113,8 @@ TEST_CASE("a baked map is measured as far as it allows, and one with widened con
     REQUIRE(run_tool("tradeoff right.exr --quick --steps 512 -o baked").status == 0);
     const auto missed_by_cones = [](const std::filesystem::path& file) {
         double missed = -1;
-        for (const json& point : json_of(file)["inputs"][0]["measurements"])
+        const json result = json_of(file);
+        for (const json& point : result["inputs"][0]["measurements"])
             if (point["method"] == "cone") missed = point["figures"]["missed"].get<double>();
         return missed;
     };
