@@ -59,13 +59,30 @@ axes_table() {
             if .resolution != 1 then "resolution \(.resolution)" else empty end, if .tolerance != 0.001 then "tolerance \(.tolerance)" else empty end] | join(", ")) as $changed |
         "| \($map) | \(.method) | \(if $changed == "" then "-" else $changed end) | \(.figures | "\(.bytes_per_texel | short) | \(.bake_seconds | short) | \(.fetches_mean | short) | \(.missed | percent) | \(.early | percent) | \(.error_mean | short) | \(.dissimilarity | short)") |"' "$results/tradeoff.json"
 }
-needs | tee "$scratch/needs"
-axes_table | tee "$scratch/axes"
-
+# Beginning, middle and end of the front of fetches.
+pictures_table() {
+    printf '| map | candidate | fetches, mean error | picture | distance from the exact hit |\n| --- | --- | ---: | --- | --- |\n'
+    jq -r "$definitions"'
+        .inputs[] | select((.input | test("Roof|metal|gz_dem"))) | (.input | split("/") | last) as $map | .pictures as $folder | .measurements as $all | .fronts.fetches | [.[1], .[length / 2 | floor], .[-1]][] as $id |
+        ($all[] | select(.candidate.id == $id).figures) as $f |
+        "\($folder)/\($id)|| \($map) | \($id) | \($f.fetches_mean | short), \($f.error_mean | short) |"' "$results/tradeoff.json" | while IFS='|' read -r file _ row; do
+        local name
+        name=${row%%.*} name=${name//[ |]/}-${file##*/}
+        [[ ! $page ]] || { cp "$results/$file.png" "$pictures/$name.png" && cp "$results/$file-error.png" "$pictures/$name-error.png"; }
+        printf '|%s ![its picture](pictures/tradeoff/%s.png) | ![its error](pictures/tradeoff/%s-error.png) |\n' "$row" "$name" "$name"
+    done
+}
 if [[ $page ]]; then
     pictures=$(dirname "$page")/pictures/tradeoff
-    mkdir -p "$pictures"
+    rm -rf "$pictures" && mkdir -p "$pictures"
     cp "$results"/*-{steps,fetches,instructions,time}.svg "$pictures"
+fi
+needs | tee "$scratch/needs"
+axes_table | tee "$scratch/axes"
+pictures_table | tee "$scratch/pictures"
+
+if [[ $page ]]; then
+    "$here/put_table.sh" "$page" pictures <"$scratch/pictures"
     "$here/put_table.sh" "$page" needs <"$scratch/needs"
     "$here/put_table.sh" "$page" axes <"$scratch/axes"
 fi

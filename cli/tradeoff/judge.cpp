@@ -181,7 +181,7 @@ Result<Measurement> Judge::measure(const March& march) {
 Result<JudgePicture> Judge::picture(const March& march) {
     const TexelGrid& grid = surface_.grid();
     RenderOptions drawing;
-    drawing.width = 240, drawing.height = 160;
+    drawing.width = 160, drawing.height = 108;
     drawing.endless = grid.wrap_x == Wrap::repeat && grid.wrap_y == Wrap::repeat;
     drawing.view = {options_.steepest * 2 / 3, 30, 30, 0.6};
     drawing.ambient = Ambient::none;

@@ -53,7 +53,7 @@ struct Measurement {
     double cpu_ms_per_frame = 0; ///< of the process's processor time, all its threads
 };
 
-/// One frame for people, 240 x 160, of two thirds of the steepest angle.
+/// One frame for people, 160 x 108, of two thirds of the steepest angle.
 struct JudgePicture {
     RgbImage colour;
     RgbImage error; ///< distance of each hit from the exact one (error_picture)

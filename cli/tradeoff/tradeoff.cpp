@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr double default_depth_scale = 0.1;
 constexpr int quick_rays = 14000;
-constexpr std::uint64_t largest_picture = 1u << 24; ///< bytes of a PNG of 240 x 160, and much more
+constexpr std::uint64_t largest_picture = 1u << 24; ///< bytes of a PNG of 160 x 108, and much more
 
 std::string method_words() {
     std::string words;
@@ -132,12 +132,13 @@ Result<TradeoffCommand::Input> TradeoffCommand::sweep(const std::string& file, c
     given.input = file;
     Result<TradeoffInput> read = read_tradeoff_input(given, crop_);
     if (!read) return tl::unexpected(read.error());
-    Input input{std::move(*read), {file, name, 0, 0, {}}, "", ""};
+    Input input{std::move(*read), {file, name, 0, 0, "", {}}, "", ""};
     input.section.width = input.read.width, input.section.height = input.read.height;
     const double depth_scale = input.read.map ? input.read.map->info.depth_scale : given_.depth_uv.value_or(default_depth_scale);
     input.key = input.read.hash + "\n" + version() + "\n" + digits(depth_scale) + "\n" + digits(judge_.steepest) + "\n" + std::to_string(judge_.rays) + "\n" + digits(judge_.missed_depth) +
                 "\n" + std::to_string(judge_.repeat) + "\n" + word_of(renderer_words, judge_.backend) + "\n";
-    input.pictures = folder_ + "/pictures/" + hash_of_options(input.key).substr(0, 12);
+    input.section.pictures = "pictures/" + hash_of_options(input.key).substr(0, 12);
+    input.pictures = folder_ + "/" + input.section.pictures;
 
     const std::vector<PlannedCandidate> planned = input.read.map ? plan_marches(stored_representation(*input.read.map), axes_) : plan_sweep(axes_);
     if (planned.empty()) return fail(ErrorCode::usage, file + ": none of the techniques marches over it");

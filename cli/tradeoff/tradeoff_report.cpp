@@ -117,7 +117,7 @@ nlohmann::json tradeoff_json(const std::vector<TradeoffSection>& sections, const
             fronts[cost.word] = nlohmann::json::array();
             for (const std::size_t k : front_of(section, cost)) fronts[cost.word].push_back(id_of(section.candidates[k].planned.candidate));
         }
-        inputs.push_back({{"input", section.file}, {"width", section.width}, {"height", section.height}, {"measurements", std::move(points)}, {"fronts", std::move(fronts)}});
+        inputs.push_back({{"input", section.file}, {"width", section.width}, {"height", section.height}, {"pictures", section.pictures}, {"measurements", std::move(points)}, {"fronts", std::move(fronts)}});
     }
     return {{"version", version()}, {"renderer", options.backend == RendererBackend::osmesa ? "osmesa" : "egl"}, {"depth_scale", depth_scale},
             {"missed_depth", options.missed_depth}, {"views", views}, {"inputs", inputs}};
@@ -129,7 +129,7 @@ std::string tradeoff_svg(const TradeoffSection& section, const TradeoffCost& cos
     for (const Method& method : all_methods()) {
         PlotSeries series{std::string(method.title), {}};
         for (const MeasuredCandidate& point : section.candidates)
-            if (point.planned.base && point.planned.method == &method) series.points.emplace_back(point.figures.*cost.value, point.figures.error_mean);
+            if (point.planned.base && point.planned.method == &method && point.figures.*cost.value > 0) series.points.emplace_back(point.figures.*cost.value, point.figures.error_mean);
         if (!series.points.empty()) plot.series.push_back(std::move(series));
     }
     for (const MeasuredCandidate& point : section.candidates)

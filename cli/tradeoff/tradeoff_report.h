@@ -15,6 +15,7 @@ namespace reliefbake {
 struct TradeoffSection {
     std::string file, name; ///< as given; a word for files, once a run
     int width = 0, height = 0;
+    std::string pictures; ///< folder of the pictures of its fronts, in the sweep's own
     std::vector<MeasuredCandidate> candidates;
 };
 
