@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Tables 1 and 2 and figures 33, 34 and 36 of 000 (Ouazzani Chahdi et al. 2021), measured anew: tables of docs/PAPERS.md.
 #
-#   tests/papers/paper_000.sh [--quick] [-o FILE.md]
+#   tests/papers/paper_000.sh [--quick] [--short] [--only table|figures] [-o FILE.md]
 #
 #   --quick   small pictures, one round
+#   --short   one round, one resolution
 #   -o        put the tables into FILE.md (tests/put_table.sh)
 #
 # Published: frames a second on a GeForce GT 840M, 1000 x 600, 35 linear and 10 binary steps, a torus, two views (p. 31, Table 1). Ours: llvmpipe, times over
@@ -15,12 +16,14 @@ set -euo pipefail
 source "$(dirname "$0")/../families.sh"
 source "$(dirname "$0")/mesh_frames.sh"
 
-quick='' page='' size=1000x600 rounds=3 levels=(1 0)
+only='' page='' size=1000x600 rounds=3 levels=(1 0)
 while (($#)); do
     case $1 in
-        --quick) quick=yes size=250x150 rounds=1 levels=(2) ;;
+        --quick) size=250x150 rounds=1 levels=(2) ;;
+        --short) rounds=1 levels=(1) ;;
+        --only) only=$2 && shift ;;
         -o) page=$2 && shift ;;
-        *) sed -n '2,13s/^# \{0,1\}//p' "$0" && exit 2 ;;
+        *) sed -n '2,14s/^# \{0,1\}//p' "$0" && exit 2 ;;
     esac
     shift
 done
@@ -103,5 +106,5 @@ put() {
     if [[ $page ]]; then "$here/put_table.sh" "$page" "$1" <"$scratch/table"; fi
     echo
 }
-table_1 | put 000-table-1
-figures | put 000-figures
+if [[ ${only:-table} == table ]]; then table_1 | put 000-table-1; fi
+if [[ ${only:-figures} == figures ]]; then figures | put 000-figures; fi

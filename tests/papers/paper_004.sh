@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Table 1 of 004 (Ouazzani Chahdi et al. 2021, extrusion), measured anew: a table of docs/PAPERS.md.
 #
-#   tests/papers/paper_004.sh [--quick] [-o FILE.md]
+#   tests/papers/paper_004.sh [--quick] [--short] [-o FILE.md]
 #
 #   --quick   small pictures, one round, one row
+#   --short   one round
 #   -o        put the table into FILE.md (tests/put_table.sh)
 #
 # Published: frames a second on a GeForce GT 840M, 800 x 600, a torus of 2028 triangles, shape maps of 1024 x 1024, 25 linear and 5 binary steps, b 0.08, c 0.6
@@ -15,13 +16,14 @@ set -euo pipefail
 source "$(dirname "$0")/../families.sh"
 source "$(dirname "$0")/mesh_frames.sh"
 
-quick='' page='' size=800x600 rounds=3
+page='' size=800x600 rounds=3
 rows=('6,6|200 184 176 192 176 168 136' '10,10|160 144 136 152 136 128 128' '12,10|152 136 128 144 128 120 96')
 while (($#)); do
     case $1 in
-        --quick) quick=yes size=200x150 rounds=1 rows=("${rows[0]}") ;;
+        --quick) size=200x150 rounds=1 rows=("${rows[0]}") ;;
+        --short) rounds=1 ;;
         -o) page=$2 && shift ;;
-        *) sed -n '2,12s/^# \{0,1\}//p' "$0" && exit 2 ;;
+        *) sed -n '2,13s/^# \{0,1\}//p' "$0" && exit 2 ;;
     esac
     shift
 done
