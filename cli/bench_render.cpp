@@ -45,25 +45,13 @@ void BenchRenderCommand::add_to(CLI::App& app) {
     add_map_hints(app, hints_);
 }
 
-Result<RenderOptions> BenchRenderCommand::picture_of(const ReliefMap& map) const {
-    if (picture_.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
-    if (picture_.shadow == Shadow::horizon) return fail(ErrorCode::usage, "--shadow horizon: is not timed here; a horizon map is one texture read");
-    if (Result<void> fits = check_shadow_options(*app_, picture_); !fits) return tl::unexpected(fits.error());
-    const bool repeats = map.grid.wrap_x == Wrap::repeat && map.grid.wrap_y == Wrap::repeat;
-    if (!repeats && (picture_.endless || picture_.tiles > 1)) return fail(ErrorCode::usage, "--endless, --tiles: need a map that repeats; this one is clamped");
-    const Result<ResolvedTechnique> technique = resolve_technique(technique_, map, picture_.max_steps);
-    if (!technique) return tl::unexpected(technique.error());
-    RenderOptions picture = picture_;
-    apply(*technique, picture);
-    picture.ambient = picture_.ambient.value_or(Ambient::none);
-    return picture;
-}
-
 Result<void> BenchRenderCommand::run() {
+    if (picture_.shadow == Shadow::horizon) return fail(ErrorCode::usage, "--shadow horizon: is not timed here; a horizon map is one texture read");
     const Result<ReliefMap> map = read_map(file_, hints_);
     if (!map) return tl::unexpected(map.error());
-    const Result<RenderOptions> picture = picture_of(*map);
+    Result<RenderOptions> picture = plane_picture(*app_, picture_, technique_, *map);
     if (!picture) return tl::unexpected(picture.error());
+    picture->ambient = picture_.ambient.value_or(Ambient::none);
     Result<ReliefRenderer> renderer = ReliefRenderer::create(backend_);
     if (!renderer) return tl::unexpected(renderer.error());
     if (Result<void> loaded = renderer->load(*map); !loaded) return fail(loaded.error().code, file_ + ": " + loaded.error().message);

@@ -13,8 +13,6 @@ class BenchRenderCommand : public Command {
     Result<void> run() override;
 
   private:
-    Result<RenderOptions> picture_of(const ReliefMap& map) const;
-
     std::string file_; ///< MAP
     MapHints hints_;
     RenderOptions picture_;

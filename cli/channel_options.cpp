@@ -1,5 +1,7 @@
 #include "cli/channel_options.h"
 
+#include "cli/solid_options.h"
+
 #include <sstream>
 
 namespace reliefbake {
@@ -32,16 +34,11 @@ void add_channels_option(CLI::App& app, ConeCommandOptions& options) {
 }
 
 Result<void> check_channels(const CLI::App& app, const ConeCommandOptions& options) {
-    const auto refuse = [&](std::initializer_list<const char*> flags, const char* what) -> Result<void> {
-        for (const char* flag : flags)
-            if (const CLI::Option* option = app.get_option_no_throw(flag); option && option->count() > 0)
-                return fail(ErrorCode::usage, std::string(flag) + ": --channels leaves the " + what + " out");
-        return {};
-    };
     if (!options.held.normals)
-        if (Result<void> fits = refuse({"--normal-y"}, "normals"); !fits) return fits;
+        if (Result<void> fits = refuse_given(app, "", {"--normal-y"}, "--channels leaves the normals out"); !fits) return fits;
     if (options.held.cones) return {};
-    return refuse({"--surface", "--metric", "--tolerance", "--cone-max", "--kind", "--relaxed", "--delta", "--lookup", "--encoding", "--trilinear"}, "cones");
+    return refuse_given(app, "", {"--surface", "--metric", "--tolerance", "--cone-max", "--kind", "--relaxed", "--delta", "--lookup", "--encoding", "--trilinear"},
+                        "--channels leaves the cones out");
 }
 
 } // namespace reliefbake

@@ -59,10 +59,19 @@ void add_shadow_options(CLI::App& app, RenderOptions& picture) {
     app.add_option("--shadow-steps", picture.shadow_steps, "Of the march to the sun (default 64)")->check(CLI::Range(1, 100000));
 }
 
-Result<void> check_shadow_options(const CLI::App& app, const RenderOptions& picture) {
-    const bool marches = picture.shadow != Shadow::none && picture.shadow != Shadow::horizon;
-    if (marches || app.count("--shadow-steps") == 0) return {};
-    return fail(ErrorCode::usage, "--shadow-steps: needs a march to the sun (--shadow hard, height-soft or cone-soft)");
+Result<RenderOptions> plane_picture(const CLI::App& app, const RenderOptions& given, const TechniqueOptions& technique, const ReliefMap& map) {
+    if (given.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
+    const bool marches = given.shadow != Shadow::none && given.shadow != Shadow::horizon;
+    if (!marches && app.count("--shadow-steps") > 0)
+        return fail(ErrorCode::usage, "--shadow-steps: needs a march to the sun (--shadow hard, height-soft or cone-soft)");
+    const bool repeats = map.grid.wrap_x == Wrap::repeat && map.grid.wrap_y == Wrap::repeat;
+    if (!repeats && (given.endless || given.tiles > 1))
+        return fail(ErrorCode::usage, "--endless, --tiles: need a map that repeats; this one is clamped");
+    return resolve_technique(technique, map, given.max_steps).map([&](const ResolvedTechnique& resolved) {
+        RenderOptions picture = given;
+        apply(resolved, picture);
+        return picture;
+    });
 }
 
 } // namespace reliefbake

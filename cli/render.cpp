@@ -105,21 +105,14 @@ Result<void> RenderCommand::run() {
         return fail(ErrorCode::usage, options_.file + ": is a map of kind " + *kind + "; a cone map is drawn, horizons with it by --shadow horizon --horizon FILE");
     if (on_mesh) return run_mesh(*kind);
     if (Result<void> fits = refuse_given(*app_, solid_group, {}, "is for shape maps (reliefbake shape)"); !fits) return fits;
-    if (options_.picture.view.angle >= 90) return fail(ErrorCode::usage, "--view: a plane is seen from degrees below 90");
-    if (Result<void> fits = check_shadow_options(*app_, options_.picture); !fits) return fits;
     if ((options_.picture.shadow == Shadow::horizon) == options_.horizons.empty())
         return fail(ErrorCode::usage, options_.horizons.empty() ? "--shadow horizon: needs --horizon FILE" : "--horizon: needs --shadow horizon");
     const Result<ReliefMap> map = read_map(options_.file, options_.hints);
     if (!map) return tl::unexpected(map.error());
 
-    RenderOptions picture = options_.picture;
-    const bool repeats = map->grid.wrap_x == Wrap::repeat && map->grid.wrap_y == Wrap::repeat;
-    if (!repeats && (picture.endless || picture.tiles > 1))
-        return fail(ErrorCode::usage, "--endless, --tiles: need a map that repeats; this one is clamped");
-    const Result<ResolvedTechnique> technique = resolve_technique(options_.technique, *map, picture.max_steps);
-    if (!technique) return tl::unexpected(technique.error());
-    apply(*technique, picture);
-    const Result<Rendering> rendering = draw(*map, picture);
+    const Result<RenderOptions> picture = plane_picture(*app_, options_.picture, options_.technique, *map);
+    if (!picture) return tl::unexpected(picture.error());
+    const Result<Rendering> rendering = draw(*map, *picture);
     if (!rendering) return tl::unexpected(rendering.error());
     if (!options_.error.empty())
         if (Result<void> written = write_error(*map, *rendering); !written) return written;

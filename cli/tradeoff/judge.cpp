@@ -22,7 +22,7 @@ constexpr double nowhere = std::numeric_limits<double>::infinity();
 ReliefMap reference_map(const DepthMap& surface, double depth_scale, int threads) {
     ReliefMapInfo info;
     info.bits = surface.bits, info.holes = surface.holes, info.depth_scale = depth_scale;
-    return assemble_map(info, surface, std::vector<EncodedConeMap>(1), bake_normals(surface, depth_scale, threads));
+    return assemble_map(info, surface, {}, bake_normals(surface, depth_scale, threads));
 }
 
 double descent_of_first_hit(const BilinearSurface& surface, const Quad& ray, double lowered_by) {

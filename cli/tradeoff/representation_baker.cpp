@@ -1,12 +1,10 @@
 #include "cli/tradeoff/representation_baker.h"
 
-#include "bake/filter_delta.h"
 #include "bake/mips.h"
 #include "bake/normal_map.h"
 #include "cli/assemble_map.h"
 #include "cli/bake_planes.h"
 #include "cli/cone_info.h"
-#include "cli/version.h"
 
 #include <chrono>
 
@@ -23,7 +21,8 @@ double timed(Work work) {
 
 ConePlan plan_of(const Representation& wanted, double depth_scale, int threads) {
     ConePlan plan;
-    plan.given.kind = wanted.kind, plan.given.planes = wanted.planes, plan.given.encoding = wanted.encoding;
+    plan.given.kind = wanted.has_cones() ? wanted.kind : "cone", plan.given.planes = wanted.planes, plan.given.encoding = wanted.encoding;
+    plan.given.held.cones = wanted.has_cones();
     plan.bits = wanted.bits;
     plan.depth_scale = depth_scale;
     plan.cone = wanted.cone, plan.cone.threads = threads;
@@ -34,18 +33,6 @@ ConePlan plan_of(const Representation& wanted, double depth_scale, int threads) 
 bool same_cones(Representation a, const Representation& b) {
     a.encoding = b.encoding;
     return a == b;
-}
-
-/// What a map without cones says of itself.
-ReliefMapInfo describe_depth(const BakeSource& source, const DepthMap& depth, double depth_scale) {
-    ReliefMapInfo info;
-    info.bits = depth.bits;
-    info.holes = depth.holes;
-    info.depth_scale = depth_scale;
-    info.filter_delta = filter_delta(depth);
-    info.version = version();
-    info.source_hash = source.image.pixel_hash;
-    return info;
 }
 
 } // namespace
@@ -79,8 +66,8 @@ Result<const BakedRepresentation*> RepresentationBaker::bake(const Representatio
     if (Result<void> ready = prepare_surface(wanted); !ready) return tl::unexpected(ready.error());
     const DepthMap& depth = surface_->depth;
     if (!wanted.has_cones()) {
-        const ReliefMapInfo info = describe_depth(source_, depth, depth_scale_);
-        baked_.emplace(BakedRepresentation{wanted, assemble_map(info, depth, std::vector<EncodedConeMap>(1), surface_->normals), surface_->seconds});
+        const ReliefMapInfo info = describe_cones(plan_of(wanted, depth_scale_, threads_), source_, depth, {}, {});
+        baked_.emplace(BakedRepresentation{wanted, assemble_map(info, depth, {}, surface_->normals), surface_->seconds});
         return &*baked_;
     }
     prepare_cones(wanted);
