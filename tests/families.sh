@@ -50,6 +50,15 @@ set_heights() {
     fi
 }
 
+# Sets maps to those of the four that docs look at closely that are there; after set_heights.
+set_close_maps() {
+    local name
+    maps=()
+    for name in ambientcg_Moss001_1K_Displacement.png ambientcg_RoofingTiles009_1K_Displacement.png polyhaven_metal_plate_disp_1k.png bgfx_heightmap_float.exr; do
+        [[ ! -f $heights/$name ]] || maps+=("$heights/$name")
+    done
+}
+
 # Runs a command; its complaints are shown only when it fails. Needs scratch.
 quietly() {
     local code=0

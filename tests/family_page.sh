@@ -46,10 +46,7 @@ while (($#)); do
 done
 require_tools
 set_heights "$quick"
-maps=()
-for name in ambientcg_Moss001_1K_Displacement.png ambientcg_RoofingTiles009_1K_Displacement.png polyhaven_metal_plate_disp_1k.png bgfx_heightmap_float.exr; do
-    [[ ! -f $heights/$name ]] || maps+=("$heights/$name")
-done
+set_close_maps
 ((${#maps[@]})) || maps=("$here"/data/heights/{ambientcg_RoofingTiles009_512.png,pom_rocks_NM_height.tga})
 
 scratch=$(mktemp -d)

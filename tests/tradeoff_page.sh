@@ -26,10 +26,7 @@ while (($#)); do
 done
 require_tools
 set_heights "$quick"
-maps=()
-for name in ambientcg_Moss001_1K_Displacement.png ambientcg_RoofingTiles009_1K_Displacement.png polyhaven_metal_plate_disp_1k.png bgfx_heightmap_float.exr; do
-    [[ $quick || ! -f $heights/$name ]] || maps+=("$heights/$name")
-done
+set_close_maps
 ((${#maps[@]})) || maps=("$here/data/heights/gz_dem_squared_129.tif")
 
 scratch=$(mktemp -d)
