@@ -1,6 +1,6 @@
 #pragma once
 // How alike two pictures look (Wang, Bovik, Sheikh and Simoncelli 2004, "Image quality assessment: from error visibility to structural
-// similarity"). FLIP is not in Debian 12; the compare_Yee of its OpenImageIO 2.4 answers 0 for black beside white.
+// similarity"). FLIP is not in Debian 12; the compare_Yee of its OpenImageIO 2.4 answers 0 for black and white squares on grey.
 
 #include "shaders-reference/renderer/rendering.h"
 
