@@ -1,7 +1,7 @@
 #include "cli/argument_hash.h"
 
 #include "cli/choices.h"
-#include "cli/format_text.h"
+#include "cli/report/format_text.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

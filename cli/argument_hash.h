@@ -1,7 +1,7 @@
 #pragma once
 // One number for the options that fix a result.
 
-#include "cli/cone_options.h"
+#include "cli/cone/cone_options.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 // What every bake asks of its output and proportions before it works.
 
-#include "cli/cone_options.h"
+#include "cli/cone/cone_options.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 #include "cli/bench/compare_maps.h"
 
 #include "bake/normal_map.h"
-#include "cli/assemble_map.h"
 #include "cli/bench/peers.h"
 #include "cli/bench/time_cones.h"
+#include "cli/cone/assemble_map.h"
 #include "shaders-reference/measure/verify.h"
 
 #include <algorithm>

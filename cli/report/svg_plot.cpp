@@ -1,6 +1,6 @@
 #include "cli/report/svg_plot.h"
 
-#include "cli/format_text.h"
+#include "cli/report/format_text.h"
 
 #include <algorithm>
 #include <cmath>

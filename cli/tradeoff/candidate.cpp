@@ -1,7 +1,7 @@
 #include "cli/tradeoff/candidate.h"
 
 #include "cli/choices.h"
-#include "cli/format_text.h"
+#include "cli/report/format_text.h"
 #include "formats/shortest_decimal.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "bake/normal_map.h"
 #include "bake/parallel.h"
-#include "cli/assemble_map.h"
+#include "cli/cone/assemble_map.h"
 #include "shaders-reference/measure/compare.h"
 #include "shaders-reference/measure/heat_map.h"
 #include "shaders-reference/measure/structural_similarity.h"

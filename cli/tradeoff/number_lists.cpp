@@ -1,6 +1,6 @@
 #include "cli/tradeoff/number_lists.h"
 
-#include "cli/number_options.h"
+#include "cli/options/number_options.h"
 
 #include <algorithm>
 #include <cmath>

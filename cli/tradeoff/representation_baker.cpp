@@ -2,9 +2,9 @@
 
 #include "bake/mips.h"
 #include "bake/normal_map.h"
-#include "cli/assemble_map.h"
-#include "cli/bake_planes.h"
-#include "cli/cone_info.h"
+#include "cli/cone/assemble_map.h"
+#include "cli/cone/bake_planes.h"
+#include "cli/cone/cone_info.h"
 
 #include <chrono>
 

@@ -4,7 +4,7 @@
 #include "bake/normal_map.h"
 #include "bake/relief_map.h"
 #include "bake/shared_pyramids.h"
-#include "cli/stored_height.h"
+#include "cli/cone/stored_height.h"
 #include "cli/tradeoff/candidate.h"
 
 #include <optional>

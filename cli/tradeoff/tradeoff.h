@@ -2,7 +2,7 @@
 // reliefbake tradeoff MAP|HEIGHT...: what a choice of map, technique and steps costs and brings.
 
 #include "cli/command.h"
-#include "cli/cone_options.h"
+#include "cli/cone/cone_options.h"
 #include "cli/tradeoff/judge.h"
 #include "cli/tradeoff/sweep_plan.h"
 #include "cli/tradeoff/tradeoff_input.h"

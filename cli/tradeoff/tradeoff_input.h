@@ -2,7 +2,7 @@
 // What a sweep is of: a height map, or a baked map.
 
 #include "bake/relief_map.h"
-#include "cli/stored_height.h"
+#include "cli/cone/stored_height.h"
 #include "cli/tradeoff/candidate.h"
 
 #include <optional>

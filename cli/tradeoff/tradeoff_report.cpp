@@ -1,6 +1,6 @@
 #include "cli/tradeoff/tradeoff_report.h"
 
-#include "cli/format_text.h"
+#include "cli/report/format_text.h"
 #include "cli/report/html_page.h"
 #include "cli/report/svg_plot.h"
 #include "cli/tradeoff/pareto.h"

@@ -2,7 +2,7 @@
 // Sources for measurements, without a file.
 
 #include "bake/height_field.h"
-#include "cli/stored_height.h"
+#include "cli/cone/stored_height.h"
 
 #include <catch2/catch.hpp>
 

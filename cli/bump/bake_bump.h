@@ -1,0 +1,18 @@
+#pragma once
+// reliefbake bump IN -o OUT --kind derivative|normal|horizon
+
+#include "cli/bump/bump_options.h"
+#include "cli/command.h"
+
+namespace reliefbake {
+
+class BumpCommand : public Command {
+  public:
+    void add_to(CLI::App& app) override;
+    Result<void> run() override;
+
+  private:
+    BumpCommandOptions options_;
+};
+
+} // namespace reliefbake

@@ -1,0 +1,41 @@
+#pragma once
+// What `reliefbake cone` tells: one object for scripts, a few lines for people, warnings.
+
+#include "bake/height_field.h"
+#include "bake/relief_map.h"
+#include "cli/cone/cone_options.h"
+#include "cli/stage_clock.h"
+#include "formats/read_image.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace reliefbake {
+
+/// One level of a mip chain.
+struct MipReport {
+    std::string output; ///< the file that holds it
+    TexelGrid grid;
+    std::map<std::string, double> statistics;
+};
+
+/// Everything a finished bake knows about itself.
+struct ConeRun {
+    const ConePlan& plan;
+    const SourceImage& source; ///< its plane may be gone
+    const HeightReport& height;
+    const ReliefMapInfo& info;
+    const TexelGrid& grid;
+    std::vector<std::string> warnings;
+    const StageClock::Seconds& seconds;
+    std::vector<MipReport> levels; ///< with --mips: all of them, level 0 first
+};
+
+/// The object of --json: cli/schema/cone.schema.json. The first map's, and in `also` the others'.
+std::string cone_result_text(const std::vector<ConeRun>& runs);
+
+/// A few lines for a person.
+std::string cone_summary(const ConeRun& run);
+
+} // namespace reliefbake

@@ -1,0 +1,18 @@
+#pragma once
+// reliefbake quadric MESH -o OUT
+
+#include "cli/command.h"
+#include "cli/quadric/quadric_options.h"
+
+namespace reliefbake {
+
+class QuadricCommand : public Command {
+  public:
+    void add_to(CLI::App& app) override;
+    Result<void> run() override;
+
+  private:
+    QuadricCommandOptions options_;
+};
+
+} // namespace reliefbake

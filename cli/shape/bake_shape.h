@@ -1,0 +1,18 @@
+#pragma once
+// reliefbake shape IN -o OUT
+
+#include "cli/command.h"
+#include "cli/shape/shape_options.h"
+
+namespace reliefbake {
+
+class ShapeCommand : public Command {
+  public:
+    void add_to(CLI::App& app) override;
+    Result<void> run() override;
+
+  private:
+    ShapeCommandOptions options_;
+};
+
+} // namespace reliefbake
