@@ -15,6 +15,7 @@
 #include "cli/render/render.h"
 #include "cli/render/shader.h"
 #include "cli/shape/bake_shape.h"
+#include "cli/stress/stress.h"
 #include "cli/tradeoff/tradeoff.h"
 #include "cli/verify/verify.h"
 
@@ -46,6 +47,7 @@ constexpr CommandEntry all_commands[] = {
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
+    {"stress", "Report what each encoding keeps at the numerical extremes", make<StressCommand>},
     {"tradeoff", "Measure what techniques, steps, bits and resolutions cost and bring on a map", make<TradeoffCommand>},
     {"verify", "Judge a baked map against an exact oracle", make<VerifyCommand>},
 };

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double brightest_steps = 64;
 
-struct ViewAngle {
-    double angle, azimuth;
-};
-
 /// From above once; else along the lattice, across it, and along a diagonal, where bilinear patches are steepest.
 std::vector<ViewAngle> view_angles() {
     std::vector<ViewAngle> views{{0, 0}};
@@ -100,7 +96,7 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
     if (tight.crop > 0 && comparable) report.tightness = tightness(map, surface, tight);
 
     // What rays make of them.
-    const std::vector<ViewAngle> views = view_angles();
+    const std::vector<ViewAngle> views = options.views.empty() ? view_angles() : options.views;
     CompareOptions compare;
     compare.threads = options.threads;
     compare.filter_delta = options.filter == SamplerFilter::fixed8 ? map.info.filter_delta : 0;

@@ -21,6 +21,10 @@ enum class Verdict {
     not_conservative, ///< keeps what its surface model says (texel centres), but rays pass through the bilinear surface
 };
 
+struct ViewAngle {
+    double angle, azimuth; ///< degrees, as View
+};
+
 struct VerifyOptions {
     RendererBackend backend = RendererBackend::osmesa;  ///< (--renderer)
     SamplerFilter filter = SamplerFilter::exact;        ///< (--filter)
@@ -33,6 +37,7 @@ struct VerifyOptions {
     int points = 20000;        ///< for the direct check of cones (--points)
     std::uint64_t seed = 1;    ///< of the direct check (--seed)
     int crop = 64;             ///< side of the crop whose tightness is measured; 0: none, the slowest part (--crop)
+    std::vector<ViewAngle> views; ///< empty: from above, and 45, 70, 85, 89 degrees at three azimuths each
     int threads = 0;           ///< of the oracle; the report does not depend on it (--threads)
     bool pictures = false;     ///< keep pictures of every view (--pictures)
     const DepthMap* source = nullptr; ///< the source's depth, quantised as the map's, to compare the stored depth with
