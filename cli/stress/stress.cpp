@@ -13,7 +13,7 @@
 namespace reliefbake {
 namespace {
 
-constexpr int quick_widest = 4096, widest = 16384; ///< of the strips that encodings are compared on
+constexpr int quick_widest = 4096, widest = 65536; ///< of the strips that encodings are compared on
 /// Larger fields are baked repeated alone, at both ends of the bit depths.
 constexpr std::int64_t many_texels = 1 << 20;
 
@@ -92,6 +92,10 @@ Result<void> StressCommand::run() {
         std::filesystem::create_directories(folder_, error);
         if (error) return fail(ErrorCode::cannot_create, folder_ + ": cannot create the folder: " + error.message());
     }
+
+    Result<ReliefRenderer> renderer = ReliefRenderer::create(RendererBackend::osmesa);
+    if (!renderer) return tl::unexpected(renderer.error());
+    effort_.renderer = &*renderer;
 
     // Cases, told as they end.
     nlohmann::json report{{"version", version()}, {"extent", word_of_extent(extent())}, {"cases", nlohmann::json::array()}};

@@ -20,6 +20,7 @@ std::size_t different_values(const Image<float>& plane) {
 VerifyOptions judged_by(const StressField& field, const StressEffort& effort) {
     VerifyOptions options;
     options.rays = effort.rays, options.points = effort.points, options.crop = effort.crop, options.threads = effort.threads;
+    options.renderer = effort.renderer;
     for (const double angle : field.angles)
         for (const double azimuth : {0.0, 115.0}) options.views.push_back({angle, azimuth});
     return options;

@@ -17,6 +17,7 @@ struct StressEffort {
     int exact_points = 16; ///< of the judge in rational numbers
     int crop = 6;          ///< side of the crop whose tightness is measured
     int threads = 0;       ///< 0: all; no result depends on it
+    ReliefRenderer* renderer = nullptr; ///< kept from case to case; null: each makes one
 };
 
 struct StressResult {
@@ -28,10 +29,10 @@ struct StressResult {
     std::size_t levels = 0; ///< different depths stored; 0: not counted
     double ratio_mean = 0;  ///< of the cones before encoding
     std::size_t dead = 0;   ///< texels of code 0 (`radius`: but for those of depth 0, whose cone every decoder knows)
-    ConeCheck cones;
-    std::optional<ExactCheck> exact;
+    ConeCheck cones{};
+    std::optional<ExactCheck> exact{};
     double tightness = 0;
-    std::optional<Comparison> rays;
+    std::optional<Comparison> rays{};
 
     /// Guarantee C: neither judge of cones found one too wide, and no ray went through.
     bool holds() const;

@@ -9,7 +9,7 @@
 namespace reliefbake {
 namespace {
 
-constexpr double least_share = 1e-4; ///< smaller shares are drawn on the axis
+constexpr double least_kept_drawn = 0.05, least_dead_drawn = 1e-4; ///< less is drawn on the axis
 
 double share(std::uint64_t part, std::uint64_t all) { return all > 0 ? double(part) / double(all) : 0; }
 
@@ -22,16 +22,21 @@ nlohmann::json exact_json(const ExactCheck& exact) {
     return {{"points", exact.points}, {"violated", exact.violated}, {"undecided", exact.undecided}, {"doubles_wrong", exact.doubles_wrong}, {"doubles_above", exact.doubles_above}};
 }
 
-/// Curves of every bit depth and encoding that `value` tells from others, floats left out.
-std::string curves(const std::vector<Usefulness>& measured, const std::string& title, const std::string& y_label, double (*value)(const Usefulness&)) {
-    LogPlot plot{title, "slope of the relief around a texel: 1 / mean cone (ratio_mean), heights of the relief per texture width", y_label, {}, {}, {}, least_share};
+using Value = double (*)(const Usefulness&);
+
+/// A curve for each encoding and bit depth that `differs` somewhere from what floats give.
+std::string curves(const std::vector<Usefulness>& measured, LogPlot plot, Value value, bool (*differs)(double)) {
+    plot.x_label = "slope of the relief around a texel: 1 / mean cone, heights of the relief per texture width";
     for (const auto& [bits_word, bits] : bits_words)
         for (const auto& [encoding_word, encoding] : encoding_words) {
-            if (bits == BitDepth::float32) continue;
             PlotSeries series{encoding_word + ", " + bits_word, {}};
-            for (const Usefulness& at : measured)
-                if (at.encoding == encoding && at.bits == bits) series.points.push_back({at.slope(), value(at)});
-            plot.series.push_back(std::move(series));
+            bool drawn = false;
+            for (const Usefulness& at : measured) {
+                if (at.encoding != encoding || at.bits != bits) continue;
+                series.points.push_back({at.slope(), value(at)});
+                drawn = drawn || differs(value(at));
+            }
+            if (drawn) plot.series.push_back(std::move(series));
         }
     return svg_text(plot);
 }
@@ -89,11 +94,13 @@ std::string usefulness_text(const std::vector<Usefulness>& measured) {
 }
 
 std::string kept_svg(const std::vector<Usefulness>& measured) {
-    return curves(measured, "What is left of a cone", "decoded cone / baked cone, mean", [](const Usefulness& at) { return at.kept; });
+    const LogPlot plot{"What is left of a cone (not drawn: all others keep 0.9 and more)", "", "decoded cone / baked cone, mean", {}, {}, {}, least_kept_drawn};
+    return curves(measured, plot, [](const Usefulness& at) { return at.kept; }, [](double kept) { return kept < 0.9; });
 }
 
 std::string dead_svg(const std::vector<Usefulness>& measured) {
-    return curves(measured, "Dead texels", "share of texels whose cone is code 0", [](const Usefulness& at) { return at.dead; });
+    const LogPlot plot{"Dead texels (not drawn: all others have none)", "", "share of texels whose cone is code 0", {}, {}, {}, least_dead_drawn};
+    return curves(measured, plot, [](const Usefulness& at) { return at.dead; }, [](double dead) { return dead > 0; });
 }
 
 } // namespace reliefbake

@@ -77,8 +77,13 @@ Result<VerifyReport> verify(const ReliefMap& map, const VerifyOptions& options) 
         if (!difference) return tl::unexpected<Error>(difference.error());
         report.depth_difference = *difference;
     }
-    Result<ReliefRenderer> renderer = ReliefRenderer::create(options.backend);
-    if (!renderer) return tl::unexpected<Error>(renderer.error());
+    std::optional<ReliefRenderer> own;
+    ReliefRenderer* renderer = options.renderer;
+    if (!renderer) {
+        Result<ReliefRenderer> created = ReliefRenderer::create(options.backend);
+        if (!created) return tl::unexpected<Error>(created.error());
+        renderer = &own.emplace(std::move(*created));
+    }
     if (Result<void> loaded = renderer->load(map, options.filter); !loaded) return tl::unexpected<Error>(loaded.error());
 
     // The cones themselves.

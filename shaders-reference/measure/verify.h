@@ -27,6 +27,7 @@ struct ViewAngle {
 
 struct VerifyOptions {
     RendererBackend backend = RendererBackend::osmesa;  ///< (--renderer)
+    ReliefRenderer* renderer = nullptr;                 ///< draws in place of one of `backend`: many maps share its compiled shaders
     SamplerFilter filter = SamplerFilter::exact;        ///< (--filter)
     Technique technique = Technique::cone;              ///< (--technique)
     bool exact_finish = false; ///< its patch tests forgive cones that are too wide within a cell (--exact-finish)

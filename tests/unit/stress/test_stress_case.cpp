@@ -105,6 +105,25 @@ TEST_CASE("The way of the largest field says the same of a small one as the way 
     CHECK_FALSE(alone->exact);
 }
 
+TEST_CASE("One renderer for many maps shows each what its own would", "[stress]") {
+    auto renderer = ReliefRenderer::create(RendererBackend::osmesa);
+    REQUIRE(renderer);
+    StressEffort shared = effort;
+    shared.renderer = &*renderer;
+    for (const char* name : {"walls", "size-7x5", "hills"})
+        for (const ConeEncoding encoding : {ConeEncoding::sqrt, ConeEncoding::radius}) {
+            CAPTURE(name, int(encoding));
+            const StressField what = field(name);
+            const ReliefMap map = baked(what, encoding, BitDepth::unorm8);
+            const StressResult alone = judged(what, map);
+            const auto together = judge_stress_map(what, map, shared);
+            REQUIRE(together);
+            CHECK(together->rays->rays == alone.rays->rays);
+            CHECK(together->rays->steps_mean == alone.rays->steps_mean);
+            CHECK(together->rays->mse == alone.rays->mse);
+        }
+}
+
 TEST_CASE("Dead texels are those of code 0, counted from the stored map", "[stress]") {
     for (const ConeEncoding encoding : {ConeEncoding::ratio, ConeEncoding::sqrt, ConeEncoding::radius, ConeEncoding::normal}) {
         const StressField what = field("size-1024x16");
