@@ -1,5 +1,6 @@
 #include "cli/command.h"
 
+#include "cli/advise/advise.h"
 #include "cli/bench/bench_also.h"
 #include "cli/bench/bench_cone.h"
 #include "cli/bench/bench_dynamic.h"
@@ -49,6 +50,7 @@ constexpr CommandEntry all_commands[] = {
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
     {"stress", "Report what each encoding keeps at the numerical extremes", make<StressCommand>},
     {"tradeoff", "Measure what techniques, steps, bits and resolutions cost and bring on a map", make<TradeoffCommand>},
+    {"advise", "Choose the cheapest map and technique that meet a budget of error, steps and bytes", make<AdviseCommand>},
     {"verify", "Judge a baked map against an exact oracle", make<VerifyCommand>},
 };
 

@@ -34,16 +34,25 @@ Result<CandidateMeter::Loaded> CandidateMeter::load(const Candidate& candidate) 
     return Loaded{map.depth.size(), (*baked)->seconds};
 }
 
-Result<Measurement> CandidateMeter::measure(const Candidate& candidate) {
-    const Result<Loaded> loaded = load(candidate);
-    if (!loaded) return tl::unexpected(loaded.error());
+Result<Measurement> CandidateMeter::judge(const Loaded& loaded, const Candidate& candidate) {
     Result<Measurement> measured = judge_.measure(candidate.march);
     if (!measured) return measured;
-    measured->bytes = double(loaded->texels) * bytes_per_texel(candidate);
+    measured->bytes = double(loaded.texels) * bytes_per_texel(candidate);
     measured->bytes_per_texel = measured->bytes / double(judge_.source_texels());
-    measured->bake_seconds = loaded->bake_seconds;
+    measured->bake_seconds = loaded.bake_seconds;
     measured->instructions = instruction_cost(candidate, measured->steps_mean, measured->refining_steps_mean, measured->fetches_mean);
     return measured;
+}
+
+Result<Measurement> CandidateMeter::measure(const Candidate& candidate) {
+    return load(candidate).and_then([&](const Loaded& loaded) { return judge(loaded, candidate); });
+}
+
+Result<Measurement> CandidateMeter::measure_baked(const ReliefMap& map, const Candidate& candidate) {
+    loaded_.reset();
+    if (Result<void> fits = check_candidate(candidate); !fits) return tl::unexpected(fits.error());
+    if (Result<void> loaded = judge_.load(map); !loaded) return tl::unexpected(loaded.error());
+    return judge({map.depth.size(), 0}, candidate);
 }
 
 Result<JudgePicture> CandidateMeter::picture(const Candidate& candidate) {

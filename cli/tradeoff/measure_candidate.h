@@ -19,6 +19,9 @@ class CandidateMeter {
     /// Errors: those of check_candidate, RepresentationBaker::bake, Judge::load and Judge::measure.
     Result<Measurement> measure(const Candidate& candidate);
 
+    /// The candidate's march over a map that is baked already, as its file was read, judged on the meter's own surface. Errors: as measure.
+    Result<Measurement> measure_baked(const ReliefMap& map, const Candidate& candidate);
+
     /// What it looks like (Judge::picture). Errors: those of measure.
     Result<JudgePicture> picture(const Candidate& candidate);
 
@@ -29,6 +32,7 @@ class CandidateMeter {
     };
     explicit CandidateMeter(Judge judge) : judge_(std::move(judge)) {}
     Result<Loaded> load(const Candidate& candidate);
+    Result<Measurement> judge(const Loaded& loaded, const Candidate& candidate);
 
     Judge judge_;
     std::optional<RepresentationBaker> baker_; ///< none for a map that is baked

@@ -1,0 +1,195 @@
+#include "cli/advise/advice_report.h"
+
+#include "cli/advise/bake_command_text.h"
+#include "cli/choices.h"
+#include "cli/report/format_text.h"
+#include "cli/tradeoff/measurement_json.h"
+#include "cli/version.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reliefbake {
+namespace {
+
+using nlohmann::json;
+
+std::string share(double part) { return part == 0 ? "0" : format("%.2g %%", 100 * part); }
+
+std::string cost_text(const Measurement& f) {
+    return format("%.3g bytes a texel, %.3g texture reads", f.bytes_per_texel, f.fetches_mean) + (f.instructions > 0 ? format(" and %.0f instructions a ray", f.instructions) : " a ray");
+}
+
+std::string surface_text(const StoredSurface& surface) {
+    const std::string bits = word_of(bits_words, surface.bits);
+    return (is_unorm(surface.bits) ? bits + " bits" : bits) + (surface.level > 0 ? " at 1/" + std::to_string(1 << surface.level) : " at full size");
+}
+
+std::string faults_text(const Measurement& figures, const Budget& budget) {
+    std::string text;
+    for (const Fault& fault : faults_of(figures, budget)) text += (text.empty() ? "" : ", ") + text_of(fault);
+    return text;
+}
+
+json faults_json(const Measurement& figures, const Budget& budget) {
+    json faults = json::array();
+    for (const Fault& fault : faults_of(figures, budget)) faults.push_back(text_of(fault));
+    return faults;
+}
+
+json budget_json(const AdviceReport& report) {
+    const Budget& budget = report.budget;
+    json bytes; // null: no limit
+    if (std::isfinite(budget.bytes_per_texel)) bytes = budget.bytes_per_texel;
+    return {{"max_missed", budget.max_missed}, {"max_error", budget.max_error}, {"steps", budget.steps}, {"bytes_per_texel", bytes}, {"angle", report.judge.steepest}};
+}
+
+json chosen_json(const AdviceReport& report, const std::optional<std::size_t>& index) {
+    if (!index) return nullptr;
+    const Trial& trial = report.advice.trials[*index];
+    return {{"id", id_of(trial.candidate)}, {"trial", *index}, {"method", report.advice.measured[*index].method->word}, {"bake", bake_command_text(trial.candidate.map)}, {"march", march_text(trial.candidate.march)}};
+}
+
+/// The least excess among a method's trials, on the whole where it got there.
+std::optional<std::size_t> best_of(const AdviceReport& report, const Method& method) {
+    std::optional<std::size_t> best;
+    for (std::size_t k = 0; k < report.advice.trials.size(); ++k) {
+        const Advice::Measured& measured = report.advice.measured[k];
+        if (measured.method != &method) continue;
+        const auto rank = [&](std::size_t place) { return excess_of(report.advice.trials[place].figures, report.budget); };
+        const bool farther = best && (measured.whole == report.advice.measured[*best].whole ? rank(k) >= rank(*best) : !measured.whole);
+        if (!farther) best = k;
+    }
+    return best;
+}
+
+double fewest_bytes(const std::vector<const Way*>& ways, const Method& method) {
+    for (const Way* way : ways) // in order of bytes
+        if (way->method == &method) return way->bytes_per_texel;
+    return 0;
+}
+
+/// What of a method was never marched, and why.
+std::vector<std::string> left_out(const AdviceReport& report, const Method& method) {
+    std::vector<std::string> reasons;
+    std::string lost;
+    for (const Advice::Probed& probed : report.advice.surfaces)
+        if (probed.given_up && std::any_of(report.advice.given_up.begin(), report.advice.given_up.end(), [&](const Way* way) { return way->method == &method && surface_of(way->marches.front()) == probed.surface; }))
+            lost += (lost.empty() ? "" : ", ") + surface_text(probed.surface);
+    if (!lost.empty()) reasons.push_back("given up with its surface: " + lost);
+    if (const double bytes = fewest_bytes(report.advice.untried, method); bytes > 0) reasons.push_back(format("dearer and not measured from %.3g bytes a texel on", bytes));
+    std::vector<const Way*> too_large;
+    for (const Way& way : report.plan.too_large) too_large.push_back(&way);
+    if (const double bytes = fewest_bytes(too_large, method); bytes > 0) reasons.push_back(format("over the budget from %.3g bytes a texel on", bytes));
+    return reasons;
+}
+
+/// Why a method is neither the answer nor the runner-up.
+std::string why_not(const AdviceReport& report, const Method& method) {
+    for (std::size_t k = 0; k < report.advice.trials.size(); ++k)
+        if (report.advice.measured[k].method == &method && meets(report.advice.trials[k].figures, report.budget)) {
+            const std::string where = report.advice.measured[k].whole ? "meets it" : "meets it on the crop";
+            return where + ", dearer: " + cost_text(report.advice.trials[k].figures);
+        }
+    std::vector<std::string> reasons = left_out(report, method);
+    if (const std::optional<std::size_t> best = best_of(report, method)) {
+        const Trial& trial = report.advice.trials[*best];
+        reasons.insert(reasons.begin(), faults_text(trial.figures, report.budget) + (report.advice.measured[*best].whole ? ": " : ", on the crop: ") + id_of(trial.candidate));
+    }
+    std::string text;
+    for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+    return text.empty() ? "left out: the steps, the target or the output do not allow it" : text;
+}
+
+std::string surfaces_text(const AdviceReport& report) {
+    std::string text;
+    for (const Advice::Probed& probed : report.advice.surfaces) {
+        if (!probed.given_up) continue;
+        text += "given up  " + surface_text(probed.surface) + ": an exact march" + (probed.whole ? "" : ", on the crop,") + " misses " + share(probed.figures.missed) + format(", mean error %.2g\n", probed.figures.error_mean);
+    }
+    return text;
+}
+
+std::string chosen_text(const AdviceReport& report, const char* title, std::size_t index) {
+    const Trial& trial = report.advice.trials[index];
+    const Measurement& f = trial.figures;
+    std::string text = format("%-10s", title) + std::string(report.advice.measured[index].method->title) + ", " + cost_text(f) + "\n";
+    text += "  bake    reliefbake " + bake_command_text(trial.candidate.map) + "\n";
+    text += "  follow  " + march_text(trial.candidate.march) + "\n";
+    text += "  whole   missed " + share(f.missed) + ", early " + share(f.early) + format(", mean error %.2g, %.0f steps at most, of %llu rays\n", f.error_mean, f.steps_max, static_cast<unsigned long long>(f.rays));
+    return text;
+}
+
+std::string counts_text(const AdviceReport& report) {
+    std::size_t candidates = 0, untried = 0;
+    for (const Way& way : report.plan.ways) candidates += way.marches.size();
+    for (const Way* way : report.advice.untried) untried += way->marches.size();
+    std::string text = "measured  " + std::to_string(report.advice.count(true)) + " on the whole";
+    if (report.crop > 0) text += ", " + std::to_string(report.advice.count(false)) + format(" on a crop of %d x %d", report.crop, report.crop);
+    return text + ", of " + std::to_string(candidates) + " candidates; " + std::to_string(untried) + " are dearer than the runner-up\n";
+}
+
+} // namespace
+
+const char* word_of_target(ShaderTarget target) {
+    switch (target) {
+    case ShaderTarget::glsl: return "glsl";
+    case ShaderTarget::glsl_es: return "glsl-es";
+    case ShaderTarget::hlsl: return "hlsl";
+    }
+    return "";
+}
+
+json advice_json(const AdviceReport& report) {
+    json trials = json::array();
+    for (std::size_t k = 0; k < report.advice.trials.size(); ++k) {
+        const Trial& trial = report.advice.trials[k];
+        trials.push_back({{"method", report.advice.measured[k].method->word}, {"on", report.advice.measured[k].whole ? "whole" : "crop"}, {"candidate", to_json(trial.candidate)},
+                          {"figures", to_json(trial.figures)}, {"faults", faults_json(trial.figures, report.budget)}});
+    }
+    json surfaces = json::array();
+    for (const Advice::Probed& probed : report.advice.surfaces)
+        surfaces.push_back({{"bits", word_of(bits_words, probed.surface.bits)}, {"resolution", std::ldexp(1.0, -probed.surface.level)}, {"on", probed.whole ? "whole" : "crop"},
+                            {"missed", probed.figures.missed}, {"error_mean", probed.figures.error_mean}, {"given_up", probed.given_up}});
+    std::size_t candidates = 0;
+    for (const Way& way : report.plan.ways) candidates += way.marches.size();
+    json crop, applied; // null: none
+    if (report.crop > 0) crop = report.crop;
+    if (!report.applied.empty()) applied = report.applied;
+    const Choice& choice = report.advice.choice;
+    return {{"version", version()}, {"input", report.input}, {"width", report.width}, {"height", report.height}, {"depth_scale", report.depth_scale}, {"target", word_of_target(report.target)},
+            {"budget", budget_json(report)}, {"missed_depth", report.judge.missed_depth}, {"crop", crop}, {"met", choice.answer.has_value()}, {"answer", chosen_json(report, choice.answer)},
+            {"runner_up", chosen_json(report, choice.runner_up)}, {"nearest", chosen_json(report, choice.nearest)}, {"candidates", candidates}, {"surfaces", surfaces}, {"trials", trials}, {"applied", applied}};
+}
+
+std::string nearest_text(const AdviceReport& report) {
+    if (report.plan.ways.empty()) {
+        if (report.plan.too_large.empty()) return report.input + ": the budget cannot be met: no candidate fits the steps, the target and the output";
+        const Way& least = report.plan.too_large.front();
+        return report.input + format(": the budget of %.3g bytes a texel cannot be met; the nearest is %.3g, ", report.budget.bytes_per_texel, least.bytes_per_texel) + id_of(least.marches.front().map);
+    }
+    const Trial& trial = report.advice.trials[*report.advice.choice.nearest];
+    return report.input + ": the budget cannot be met by any of " + std::to_string(report.advice.trials.size()) + " measurements; the nearest is " + id_of(trial.candidate) + ": " + faults_text(trial.figures, report.budget);
+}
+
+std::string advice_text(const AdviceReport& report) {
+    const Choice& choice = report.advice.choice;
+    std::string text;
+    if (choice.answer) text += chosen_text(report, "take", *choice.answer);
+    if (choice.runner_up) text += chosen_text(report, "runner-up", *choice.runner_up);
+    else if (choice.answer) text += "runner-up none: nothing else meets the budget\n";
+    if (choice.nearest) text += chosen_text(report, "nearest", *choice.nearest);
+    text += counts_text(report);
+    const auto is_chosen = [&](const Method& method) {
+        for (const std::optional<std::size_t>& index : {choice.answer, choice.runner_up, choice.nearest})
+            if (index && report.advice.measured[*index].method == &method) return true;
+        return false;
+    };
+    text += surfaces_text(report) + "the others:\n";
+    for (const Method& method : all_methods())
+        if (method.by_default && !is_chosen(method)) text += format("  %-13s ", std::string(method.word).c_str()) + why_not(report, method) + "\n";
+    if (!report.applied.empty()) text += "baked     " + report.applied + ", read back and judged again: the same figures\n";
+    return text;
+}
+
+} // namespace reliefbake

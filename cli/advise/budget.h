@@ -1,0 +1,38 @@
+#pragma once
+// What a map may cost and how wrong it may be, and what a measurement says to that.
+
+#include "cli/tradeoff/judge.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace reliefbake {
+
+struct Budget {
+    double max_missed = 0;    ///< share of rays that may be missed, 0 to 1 (--max-missed)
+    double max_error = 0.01;  ///< mean height error, parts of the depth, above 0 up to 1 (--max-error)
+    int steps = 128;          ///< most rounds of any ray, those that refine included, 1 or more (--steps)
+    double bytes_per_texel = std::numeric_limits<double>::infinity(); ///< of all channels, for a texel of the source (--bytes-per-texel)
+};
+
+/// One limit of a budget that is broken.
+struct Fault {
+    enum class Limit { rays, missed, error, steps, bytes };
+    Limit limit;
+    double found, allowed; ///< rays: how many there were, and one
+    double excess;         ///< found / allowed, above 1. Where none may be missed, one missed ray counts 2
+};
+
+/// All limits that the figures break; a figure that is no number breaks its limit, and figures of no ray prove nothing.
+std::vector<Fault> faults_of(const Measurement& figures, const Budget& budget);
+
+inline bool meets(const Measurement& figures, const Budget& budget) { return faults_of(figures, budget).empty(); }
+
+/// Largest excess of a fault; 1 where there is none.
+double excess_of(const Measurement& figures, const Budget& budget);
+
+/// E.g. "missed 3.1 % > 1 %".
+std::string text_of(const Fault& fault);
+
+} // namespace reliefbake
