@@ -1,6 +1,7 @@
 #include "cli/run.h"
 
 #include "cli/command.h"
+#include "cli/describe/describe.h"
 #include "cli/version.h"
 
 #include <cstdio>
@@ -42,7 +43,7 @@ Declared declare(CLI::App& root, const CommandEntry& entry) {
 }
 
 int report(const std::string& path, const Error& error) {
-    std::fprintf(stderr, "reliefbake %s: %s\n", path.c_str(), error.message.c_str());
+    std::fprintf(stderr, "reliefbake%s: %s\n", path.empty() ? "" : (" " + path).c_str(), error.message.c_str());
     return int(error.code);
 }
 
@@ -61,6 +62,15 @@ int run_chosen(std::vector<Declared>& declared) {
     return int(ErrorCode::usage);
 }
 
+void add_describe(CLI::App& root) {
+    const auto print = [&root](const std::string& format) {
+        if (format != "json") throw CLI::ValidationError("--describe", "expected json, found '" + format + "'");
+        std::cout << describe(root).dump(1) << '\n';
+        throw CLI::Success();
+    };
+    root.add_option_function<std::string>("--describe", print, "Print every command and option (cli/schema/describe.schema.json)")->type_name("json");
+}
+
 int parse_and_run(int argc, char** argv) {
     CLI::App root(
         "Offline baking for relief rendering.\n"
@@ -69,13 +79,16 @@ int parse_and_run(int argc, char** argv) {
         "reliefbake");
     root.set_version_flag("--version", std::string("reliefbake ") + version());
     root.require_subcommand(1);
+    add_describe(root);
     std::vector<Declared> declared;
     for (const CommandEntry& entry : commands())
         declared.push_back(declare(root, entry));
     try {
         root.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return root.exit(error) == 0 ? 0 : int(ErrorCode::usage);
+        if (root.exit(error) != 0) return int(ErrorCode::usage);
+        const Result<void> flushed = flush_output();
+        return flushed ? 0 : report("", flushed.error());
     }
     return run_chosen(declared);
 }

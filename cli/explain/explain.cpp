@@ -3,6 +3,7 @@
 #include "cli/explain/explain_bump.h"
 #include "cli/explain/explain_shape.h"
 #include "cli/explain/explain_text.h"
+#include "cli/explain/ratio_histogram.h"
 #include "cli/options/map_hint_options.h"
 #include "formats/bump_file.h"
 #include "formats/map_json.h"
@@ -35,23 +36,35 @@ Result<void> explain_shape(const std::string& file, const MapHints& hints, bool 
 
 void ExplainCommand::add_to(CLI::App& app) {
     app.add_option("FILE", options_.file, "A baked map")->required();
-    app.add_flag("--json", options_.json, "Print one object (docs/FORMATS.md)");
+    CLI::Option* const json = app.add_flag("--json", options_.json, "Print one object (docs/FORMATS.md)");
+    app.add_option("--histogram", options_.bins, "Count cone ratios from 0 to 1 in so many bins, as ratio_histogram")
+        ->check(CLI::Range(1, 4096))
+        ->needs(json);
     add_map_hints(app, options_.hints);
 }
 
 Result<void> ExplainCommand::run() {
     const Result<std::string> kind = kind_of_map(options_.file, options_.hints.max_bytes);
     if (!kind) return tl::unexpected(kind.error());
+    if (options_.bins && (bump_kind_of(*kind) || *kind == "shape"))
+        return fail(ErrorCode::usage, options_.file + ": a map of kind " + *kind + " holds no cones to count; leave out --histogram");
     if (bump_kind_of(*kind)) return explain_bump(options_.file, *kind, options_.hints, options_.json);
     if (*kind == "shape") return explain_shape(options_.file, options_.hints, options_.json);
     MapHints hints = options_.hints;
     hints.cones_suffice = true;
     const Result<ReliefMap> map = read_map(options_.file, hints);
     if (!map) return tl::unexpected(map.error());
-    const auto replace = nlohmann::json::error_handler_t::replace;
-    const std::string text = options_.json ? to_json(map->info, map->grid).dump(2, ' ', false, replace) + "\n"
-                                           : explain_text(*map);
-    std::fputs(text.c_str(), stdout);
+    if (!options_.json) {
+        std::fputs(explain_text(*map).c_str(), stdout);
+        return {};
+    }
+    nlohmann::ordered_json json = to_json(map->info, map->grid);
+    if (options_.bins) {
+        Result<nlohmann::ordered_json> counted = ratio_histogram(options_.file, *map, options_.bins);
+        if (!counted) return tl::unexpected(counted.error());
+        json["ratio_histogram"] = std::move(*counted);
+    }
+    std::fputs((json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n").c_str(), stdout);
     return {};
 }
 

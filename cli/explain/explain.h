@@ -1,5 +1,5 @@
 #pragma once
-// reliefbake explain FILE [--json]
+// reliefbake explain FILE [--json [--histogram N]]
 
 #include "cli/command.h"
 #include "formats/map_file.h"
@@ -18,6 +18,7 @@ class ExplainCommand : public Command {
         std::string file;
         MapHints hints;
         bool json = false;
+        int bins = 0; ///< of --histogram; 0 without
     } options_;
 };
 

@@ -1,7 +1,10 @@
 #include "tests/cli/run_tool.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 using namespace reliefbake::test;
@@ -57,4 +60,30 @@ TEST_CASE("render refuses options that its technique does not use") {
         INFO(refused);
         CHECK(run_tool(render + refused).status == 2);
     }
+}
+
+TEST_CASE("explain --histogram counts every cone once") {
+    const std::string dem = height_map("gz_dem_squared_129.tif");
+    REQUIRE(run_tool("cone " + dem + " -o counted.exr").status == 0);
+    REQUIRE(run_tool("acm " + dem + " -o counted4.exr").status == 0);
+    const auto total = [](const nlohmann::json& counted) {
+        std::uint64_t sum = counted.at("wider").get<std::uint64_t>();
+        for (const auto& count : counted.at("counts")) sum += count.get<std::uint64_t>();
+        return sum;
+    };
+    const auto one = nlohmann::json::parse(run_tool("explain counted.exr --json --histogram 16").out).at("ratio_histogram");
+    const auto four = nlohmann::json::parse(run_tool("explain counted4.exr --json --histogram 16").out).at("ratio_histogram");
+    CHECK(one.at("each").at("counts").size() == 16);
+    CHECK(total(one.at("each")) == 129 * 129);
+    CHECK_FALSE(one.contains("widest"));
+    CHECK(total(four.at("each")) == 4 * 129 * 129);
+    CHECK(total(four.at("mean")) == 129 * 129);
+    // A sector's cone is limited by fewer texels than the one cone.
+    CHECK(four.at("mean").at("mean") > one.at("each").at("mean"));
+    CHECK(four.at("widest").at("mean") > four.at("mean").at("mean"));
+    CHECK(std::abs(four.at("each").at("mean").get<double>() - four.at("mean").at("mean").get<double>()) < 1e-9);
+    CHECK(run_tool("explain counted.exr --histogram 16").status == 2);
+    CHECK(run_tool("explain counted.exr --json --histogram 0").status == 2);
+    REQUIRE(run_tool("bump " + dem + " -o counted_bump.png --kind normal").status == 0);
+    CHECK(run_tool("explain counted_bump.png --json --histogram 16").status == 2);
 }

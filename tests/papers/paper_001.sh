@@ -5,15 +5,16 @@
 #
 #   --quick    every fifth row, fewer rays, one scene, no plots
 #   --rays     rays of `verify` a measurement (default 325000; those of the views at 45 and 70 degrees count)
-#   --keep     folder of results, one file a measurement; those already there are not done again
+#   --keep     folder of results, two files a measurement (rays, frame); those already there are not done again
 #   -o         put the tables into FILE.md (tests/put_table.sh), and the plots into pictures/papers/ beside it (needs gnuplot)
 #
-# What the dissertation prints is in published_001.tsv. Frame times: 1024x768, 60 degrees, the least of three frames; they need a quiet machine.
+# What the dissertation prints is in published_001.tsv. Frame times: processor time at 1024x768, 60 degrees, the least of three frames.
 #
 #   RELIEFBAKE_BINARY   as for tests/verify_all.sh
 set -euo pipefail
 
 source "$(dirname "$0")/../families.sh"
+source "$(dirname "$0")/draw_curves.sh"
 
 rays=325000 page='' quick='' results=''
 while (($#)); do
@@ -83,23 +84,22 @@ set_march() {
 
 # measure SCENE METHOD STEPS REFINEMENTS [errors]: one line of JSON, with the time of a frame unless only errors are asked for.
 measure() {
-    local file="$results/$1 $2 $3 $4${5:+ $5}" errors=null frame=null
-    if [[ ! -s $file ]]; then
-        set_march "$@"
-        if [[ ! ${march[*]} =~ --shadow|--ao ]]; then
-            errors=$("$tool" verify "$map" --crop 0 --points 0 --rays "$rays" "${march[@]}" --json 2>/dev/null || (($? == 4)))
-        fi
-        if [[ ! ${5-} ]]; then
-            frame=$("$tool" bench render "$map" --view 60 --azimuth 30 --endless --span 1 --frames 3 "${march[@]}" --json)
-        fi
-        jq -cn --arg scene "$1" --arg method "$2" --arg steps "$3" --arg refinements "$4" --argjson errors "$errors" --argjson frame "$frame" '
-            def over(f): [.[] | f * .rays] | add; ($errors.views // [] | map(select(.angle == 45 or .angle == 70))) as $views | ([$views[].rays] | add) as $rays
-            | {scene: $scene, method: $method, steps: $steps, refinements: $refinements, milliseconds: $frame.milliseconds_least}
-              + if $rays then $views | {steps_mean: (over(.steps_mean) / $rays), fetches: (over(.fetches_mean) / $rays), mse: (over(.mse) / $rays), missed: (over(.missed) / $rays), skipped: (over(.skipped) / $rays),
-                early: (over(.early) / $rays)} else {} end' >"$file.new"
-        mv "$file.new" "$file"
+    local name="$results/$1 $2 $3 $4"
+    set_march "$@"
+    if [[ ! -s "$name rays" ]]; then
+        echo null >"$name.new"
+        if [[ ! ${march[*]} =~ --shadow|--ao ]]; then "$tool" verify "$map" --crop 0 --points 0 --rays "$rays" "${march[@]}" --json 2>/dev/null >"$name.new" || (($? == 4)); fi
+        mv "$name.new" "$name rays"
     fi
-    cat "$file"
+    if [[ ! ${5-} && ! -s "$name frame" ]]; then
+        "$tool" bench render "$map" --view 60 --azimuth 30 --endless --span 1 --frames 3 "${march[@]}" --json >"$name.new"
+        mv "$name.new" "$name frame"
+    fi
+    jq -cn --arg scene "$1" --arg method "$2" --arg steps "$3" --arg refinements "$4" --slurpfile errors "$name rays" --slurpfile frame "$([[ ${5-} ]] && echo /dev/null || echo "$name frame")" '
+        def over(f): [.[] | f * .rays] | add; ($errors[0].views // [] | map(select(.angle == 45 or .angle == 70))) as $views | ([$views[].rays] | add) as $rays
+        | {scene: $scene, method: $method, steps: $steps, refinements: $refinements, milliseconds: $frame[0].processor_milliseconds_least}
+          + if $rays then $views | {steps_mean: (over(.steps_mean) / $rays), fetches: (over(.fetches_mean) / $rays), mse: (over(.mse) / $rays), missed: (over(.missed) / $rays), skipped: (over(.skipped) / $rays),
+            early: (over(.early) / $rays)} else {} end'
 }
 
 # The rows that the dissertation prints.
@@ -128,7 +128,7 @@ table() {
 }
 
 {
-    printf '001: the %s scene, GTX 780, its frame times. Ours: `%s`, rays at 45 and 70 degrees (MSE, skipped, steps; skipped: rays that went through relief and came out again); frame times of llvmpipe, one thread, %s. Times are ratios to the first row of the table.\n\n' "\`Lion\`" "$main" "$(machine)"
+    printf '001: the %s scene, GTX 780, its frame times. Ours: `%s`, rays at 45 and 70 degrees (MSE, skipped, steps; skipped: rays that went through relief and came out again); processor time of a frame of llvmpipe, one thread, %s. Times are ratios to the first row of the table.\n\n' "\`Lion\`" "$main" "$(machine)"
     table 4.1 'linear search'
     table 4.2 'binary search after it'
     table 4.3 'linear alone, or with two halvings'
@@ -185,43 +185,32 @@ for scene in "${scenes[@]}"; do
     for steps in 5 10 15 20 25 30; do measure "$scene" CSM $steps 4 errors; done
 done >"$scratch/scenes"
 
-# Which method is best for a budget of texture reads, by each measure (the question of sec. 4.1 and 5.2).
+# Which method is best for a budget of texture reads, by three measures (what 001 sec. 4.1 and 5.2 leave open): pictures of the same candidates, so by the sweep.
+sweep=$results/sweep
+set_source_options "$main"
+quietly "$tool" tradeoff "$heights/$main" --techniques linear,binary,interval,cone,sectors-4,cone-normal,relaxed-top,max-mip --steps 5,8,12,16,24,32,48 --refinements 3 --encodings sqrt --bits 16 --resolutions 1 \
+    --tolerances 0.001 --rays 28000 --repeat 1 --angle 70 -o "$sweep" >/dev/null
 {
-    printf '| refinement | texture reads at most | by MSE | by skipped rays | by missed or early rays |\n| --- | ---: | --- | --- | --- |\n'
-    jq -rs "$helpers"'def best($budget; f): [.[] | select(.fetches <= $budget)] | group_by(.curve) | map(min_by(f)) | sort_by(f) | map("\(.curve) \(f | if . == 0 then "0" else exponent end)") | join(", ");
-        . as $all | ("none", "binary", "interval") as $r | (8, 16, 32) as $budget | [$all[] | select(.refinement == $r)]
-        | "| \($r) | \($budget) | \(best($budget; .mse)) | \(best($budget; .skipped)) | \(best($budget; .missed + .early)) |"' "$scratch/curves"
+    printf '| texture reads at most | by MSE | by rays missed or early | by 1 - SSIM of the picture |\n| ---: | --- | --- | --- |\n'
+    jq -r "$helpers"'.inputs[0].measurements as $all
+        | def best($budget; f): [$all[] | select(.figures.fetches_mean <= $budget)] | group_by(.method) | map(min_by(.figures | f)) | sort_by(.figures | f) | map("\(.method) \(.figures | f | exponent)") | join(", ");
+        (8, 16, 32) as $budget | "| \($budget) | \(best($budget; .mse)) | \(best($budget; .missed + .early)) | \(best($budget; .dissimilarity)) |"' "$sweep/tradeoff.json"
 } | tee "$scratch/ranking"
 if [[ ! $page ]]; then exit; fi
 "$here/put_table.sh" "$page" 001-ranking <"$scratch/ranking"
 
 pictures=$(dirname "$page")/pictures/papers
 mkdir -p "$pictures"
-# plot NAME XLABEL FILTER...: each filter of jq yields "title<tab>x<tab>y" lines of one or more curves.
-plot() {
-    local name=$1 label=$2 lines=$3 title='' k=0
-    local -a titles
-    mapfile -t titles < <(cut -f 1 "$lines" | awk '!seen[$0]++')
-    {
-        printf 'set terminal svg size 760,400 font "sans,12" background "white"\nset logscale y\nset format y "%%.0e"\nset xlabel "%s"\nset ylabel "MSE"\nset key outside right\n' "$label"
-        printf 'set style data linespoints\nplot '
-        for title in "${titles[@]}"; do
-            awk -F '\t' -v title="$title" '$1 == title && $3 > 0 { print $2, $3 }' "$lines" >"$scratch/$name.$((++k))"
-            printf '%s"%s" title "%s" noenhanced linewidth 2' "$([[ $k == 1 ]] || echo ', ')" "$scratch/$name.$k" "$title"
-        done
-        echo
-    } >"$scratch/$name.gp"
-    SOURCE_DATE_EPOCH=0 gnuplot "$scratch/$name.gp" >"$pictures/$name.svg"
-}
+error_plot() { draw_curves "$2" "$pictures/$1.svg" "$3" MSE 'set logscale y' 'set format y "%.0e"'; }
 jq -r 'select(.method == "binary" or .method == "interval") | "\(.method), \(.scene | split(".")[0])\t\(.refinements)\t\(.mse)"' "$scratch/scenes" >"$scratch/4.5"
 jq -r 'select(.method == "CSM") | "\(.scene | split(".")[0])\t\(.steps)\t\(.mse)"' "$scratch/scenes" >"$scratch/4.7"
-plot 001-graph-4.5 'halvings or secants after 10 linear steps' "$scratch/4.5"
-plot 001-graph-4.7 'cone steps, then 4 halvings' "$scratch/4.7"
+error_plot 001-graph-4.5 "$scratch/4.5" 'halvings or secants after 10 linear steps'
+error_plot 001-graph-4.7 "$scratch/4.7" 'cone steps, then 4 halvings'
 k=8
 for refinement in none binary interval; do
     jq -r --arg r $refinement 'select(.refinement == $r) | "\(.curve)\t\(.milliseconds)\t\(.mse)"' "$scratch/curves" >"$scratch/4.$k"
-    plot 001-graph-4.$k 'milliseconds a frame' "$scratch/4.$k"
+    error_plot 001-graph-4.$k "$scratch/4.$k" 'milliseconds a frame'
     k=$((k + 1))
 done
 jq -r 'select(.curve == "linear" or .curve == "CSM") | "\(.curve), \(.refinement)\t\(.milliseconds)\t\(.mse)"' "$scratch/curves" >"$scratch/4.11"
-plot 001-graph-4.11 'milliseconds a frame' "$scratch/4.11"
+error_plot 001-graph-4.11 "$scratch/4.11" 'milliseconds a frame'
