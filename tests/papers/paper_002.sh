@@ -32,13 +32,13 @@ trap 'rm -rf "$scratch"' EXIT
 names=(ambientcg_RoofingTiles009_512.png pom_rocks_NM_height.tga bevy_parallax_cube_depth_348.png gz_dem_squared_129.tif)
 if [[ $quick ]]; then names=("${names[@]:3}"); fi
 
-# Figure 2. bake NAME KIND OPTIONS...: writes $scratch/NAME.KIND.exr, cones at texel centres as 002 has them.
+# Figure 2. bake NAME KIND OPTIONS...: writes $scratch/NAME.KIND.exr.
 bins=50
 count() {
     local name=$1 kind=$2
     shift 2
     set_source_options "$name"
-    quietly "$tool" "$@" "$heights/$name" "${source_options[@]}" --wrap repeat --surface texel --bits float --cone-max inf -o "$scratch/$name.$kind.exr" --quiet
+    quietly "$tool" "$@" "$heights/$name" "${source_options[@]}" --wrap repeat --encoding ratio --bits float --cone-max 1000 -o "$scratch/$name.$kind.exr" --quiet
     "$tool" explain "$scratch/$name.$kind.exr" --json --histogram $bins | jq -c .ratio_histogram >"$scratch/$name.$kind"
 }
 {
