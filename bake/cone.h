@@ -110,6 +110,9 @@ struct EncodedConeMap {
 
 EncodedConeMap encode_cones(const ConeMap& cones, const DepthMap& depth, const EncodeOptions& options);
 
+/// Rows [first, end) alone; the others are 0, and not counted.
+EncodedConeMap encode_cone_rows(const ConeMap& cones, const DepthMap& depth, const EncodeOptions& options, int first, int end);
+
 /// Ratio that a sampled value stands for. `depth` in [0,1] is the sampled depth (only `radius` reads it; at depth 0
 /// it decodes to ratio_max: the top plane has nothing above it). ratio: v * ratio_max. sqrt: v^2 * ratio_max.
 /// radius: v / depth. normal: v / sqrt(1 - v^2).

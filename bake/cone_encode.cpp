@@ -127,6 +127,11 @@ double decode_ratio(double value, double depth, ConeEncoding encoding, double ra
 }
 
 EncodedConeMap encode_cones(const ConeMap& cones, const DepthMap& depth, const EncodeOptions& options) {
+    return encode_cone_rows(cones, depth, options, 0, cones.grid.height);
+}
+
+EncodedConeMap encode_cone_rows(const ConeMap& cones, const DepthMap& depth, const EncodeOptions& options, int first, int end) {
+    assert(0 <= first && first < end && end <= cones.grid.height);
     const float ratio_max = cones.options.ratio_max;
     assert(cones.grid == depth.grid);
     assert(std::isfinite(ratio_max) || options.encoding == ConeEncoding::normal ||
@@ -135,7 +140,8 @@ EncodedConeMap encode_cones(const ConeMap& cones, const DepthMap& depth, const E
     EncodedConeMap map{cones.grid, options.encoding, options.bits, ratio_max, Image<float>(width, height), 0};
     const Encoder encoder(options, ratio_max);
     std::atomic<std::size_t> zero_codes = 0;
-    parallel_for(height, cones.options.threads, [&](int y) {
+    parallel_for(end - first, cones.options.threads, [&](int row) {
+        const int y = first + row;
         std::size_t zeros = 0;
         for (int x = 0; x < width; ++x) {
             const double here = depth_for_code(depth, cones.options.lookup, x, y);

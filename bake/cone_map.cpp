@@ -3,6 +3,7 @@
 #include "bake/cone.h"
 
 #include "bake/cone_search.h"
+#include "bake/cone_slopes.h"
 #include "bake/exits.h"
 #include "bake/sectors.h"
 #include "bake/max_pyramid.h"
@@ -21,12 +22,6 @@
 namespace reliefbake {
 namespace {
 
-/// Float rounding of a slope, all stages together, is below 2^-20 of it.
-constexpr double rounding_margin = 1 + 0x1p-20;
-
-/// "No cap": wider than any march can use, and still far from overflow when squared.
-constexpr double widest_ratio = 0x1p40;
-
 class Stopwatch {
   public:
     /// Seconds since the last call, or since the start.
@@ -41,26 +36,17 @@ class Stopwatch {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Levels per texel to height per texture width.
-double slope_unit(const DepthMap& depth) { return double(depth.grid.width) / max_code(depth.bits); }
-
 /// A bake in progress: slopes of one cone map, raised by one search after another.
 class ConeBake {
   public:
     ConeBake(const DepthMap& depth, const ConeOptions& options, ConeStatistics& statistics, SharedPyramids* shared)
         : depth_(depth), options_(options), statistics_(statistics), shared_(shared) {
-        surface_.grid = depth.grid, surface_.metric = options.metric, surface_.model = options.surface;
+        surface_ = surface_without_heights(depth.grid, depth.bits, options);
         surface_.height = Image<float>(depth.grid.width, depth.grid.height);
         parallel_for(depth.grid.height, options.threads, [&](int y) {
             const float* level = depth.level.row(y);
             std::transform(level, level + depth.grid.width, surface_.height.row(y), std::negate<>());
         });
-        const double cap = std::min(double(options.ratio_max), widest_ratio);
-        surface_.slope_floor = float(1 / (cap * slope_unit(depth) * (1 + double(options.tolerance)) * rounding_margin));
-        if (options.surface == SurfaceModel::bilinear) {
-            const int low = options.lookup == ConeLookup::cell ? 0 : -1;
-            surface_.footprint = {low, 1, low, 1};
-        }
         statistics_.seconds_pyramid += watch_.lap();
     }
 
@@ -104,13 +90,13 @@ class ConeBake {
     }
 
     ConeMap finish(Image<float> slopes) {
-        const double unit = slope_unit(depth_) * (1 + double(options_.tolerance)) * rounding_margin;
         ConeMap cones{depth_.grid, options_, std::move(slopes)};
+        const bool open = std::isinf(options_.ratio_max);
+        const float top = open ? *std::max_element(surface_.height.begin(), surface_.height.end()) : 0.0f;
         parallel_for(depth_.grid.height, options_.threads, [&](int y) {
-            for (float* value = cones.ratio.row(y); value != cones.ratio.row(y) + depth_.grid.width; ++value)
-                *value = float(std::min(double(options_.ratio_max), 1 / (double(*value) * unit)));
+            slopes_to_ratios(depth_.grid, depth_.bits, options_, cones.ratio.row(y));
+            if (open) open_topmost_cones(surface_, top, y, cones.ratio.row(y));
         });
-        if (std::isinf(options_.ratio_max)) open_topmost_cones(cones.ratio);
         statistics_.seconds_search += watch_.lap();
         return cones;
     }
@@ -133,21 +119,6 @@ class ConeBake {
         });
     }
 
-    /// Without a cap, a texel that has nothing above its whole footprint gets an unbounded cone.
-    void open_topmost_cones(Image<float>& ratio) const {
-        const TexelGrid& g = surface_.grid;
-        const float top = *std::max_element(surface_.height.begin(), surface_.height.end());
-        const int reach = surface_.has_footprint() ? 1 : 0;
-        for (int y = 0; y < g.height; ++y)
-            for (int x = 0; x < g.width; ++x) {
-                bool topmost = true;
-                for (int j = -reach; j <= reach; ++j)
-                    for (int i = -reach; i <= reach; ++i)
-                        topmost &= surface_.height(g.address_x(x + i), g.address_y(y + j)) == top;
-                if (topmost) ratio(x, y) = std::numeric_limits<float>::infinity();
-            }
-    }
-
     const DepthMap& depth_;
     const ConeOptions& options_;
     ConeStatistics& statistics_;
@@ -159,7 +130,7 @@ class ConeBake {
 
 ExitRule exit_rule(const DepthMap& depth, const ConeOptions& options) {
     ExitRule rule;
-    if (options.rays == RelaxedRays::slope) rule.least_fall = float(double(options.relaxed_slope) / slope_unit(depth) * (1 - 0x1p-20));
+    if (options.rays == RelaxedRays::slope) rule.least_fall = float(double(options.relaxed_slope) / slope_unit(depth.grid, depth.bits) * (1 - 0x1p-20));
     rule.from_top = options.rays == RelaxedRays::top;
     return rule;
 }

@@ -30,7 +30,8 @@ class TileSearch {
     TileSearch(const SearchSurface& surface, const SearchTarget& target, const MaxPyramid& pyramid, const SearchSpace& space)
         : surface_(surface), target_(target), pyramid_(pyramid), space_(space), kernels_(tile_kernels(space)) {}
 
-    /// Leaves in tile.found the largest far slope of each texel that exceeds its need; 0 where none does.
+    /// Leaves in tile.found the largest far slope of each texel that exceeds its need; 0 where none does. `needs`: of the rows of
+    /// tiles tile_y alone.
     void run(int tile_x, int tile_y, const Image<float>& needs) {
         load(tile_x, tile_y, needs);
         compare_witnesses();
@@ -65,7 +66,7 @@ class TileSearch {
             float* need = tile_.need + j * tile_size;
             std::copy_n(surface_.apexes().row(y) + x0, width, own);
             std::fill(own + width, own + tile_size, own[width - 1]);
-            std::copy_n(needs.row(y) + x0, width, need);
+            std::copy_n(needs.row(y - y0) + x0, width, need);
             std::fill(need + (j < height ? width : 0), need + tile_size, std::numeric_limits<float>::max());
             tile_.x[j] = float(x0 + j), tile_.y[j] = float(y0 + j);
         }
@@ -187,56 +188,66 @@ SearchSpace make_space(const SearchSurface& surface, float tolerance) {
     return space;
 }
 
-/// Joins into `out` each texel's value with those at the offsets of `f`, by `join` (a minimum or a maximum).
+/// Joins into `best` each value of row y with those at the offsets of `f`, by `join` (a minimum or a maximum).
 template <class Join>
-void join_offsets(const TexelGrid& g, const Image<float>& values, Footprint f, int threads, Join join, Image<float>& out) {
-    parallel_for(g.height, threads, [&](int y) {
-        std::vector<float> row(std::size_t(g.width) + 2);
-        float* best = out.row(y);
-        for (int j = f.y_low; j <= f.y_high; ++j) {
-            const float* source = values.row(g.address_y(y + j));
-            std::copy_n(source, g.width, row.data() + 1);
-            row.front() = source[g.address_x(-1)], row.back() = source[g.address_x(g.width)];
-            for (int i = f.x_low; i <= f.x_high; ++i)
-                for (int x = 0; x < g.width; ++x) best[x] = join(best[x], row[std::size_t(x + 1 + i)]);
-        }
-    });
+void join_offsets(const TexelGrid& g, const RowOf& values, Footprint f, int y, Join join, float* best) {
+    std::vector<float> row(std::size_t(g.width) + 2);
+    for (int j = f.y_low; j <= f.y_high; ++j) {
+        const float* source = values(g.address_y(y + j));
+        std::copy_n(source, g.width, row.data() + 1);
+        row.front() = source[g.address_x(-1)], row.back() = source[g.address_x(g.width)];
+        for (int i = f.x_low; i <= f.x_high; ++i)
+            for (int x = 0; x < g.width; ++x) best[x] = join(best[x], row[std::size_t(x + 1 + i)]);
+    }
 }
 
-/// Smallest value of the texels whose cones a far slope at this texel would narrow: what it must exceed to matter.
-Image<float> footprint_minimum(const SearchSurface& surface, const Image<float>& slopes, int threads) {
+/// Smallest near slope of the texels whose cones a far slope at a texel of these rows would narrow: what it must exceed to matter.
+Image<float> needs_of_rows(const SearchSurface& surface, const RowOf& near, int y0, int rows) {
     const Footprint f = surface.footprint, narrowed{-f.x_high, -f.x_low, -f.y_high, -f.y_low};
-    Image<float> out = slopes;
-    join_offsets(surface.grid, slopes, narrowed, threads, [](float a, float b) { return std::min(a, b); }, out);
-    return out;
-}
-
-/// slopes = max(slopes, largest of the footprint's far slopes). (Beyond a clamped border lies the border's own texel.)
-void raise_by_footprint(const SearchSurface& surface, const Image<float>& found, int threads, Image<float>& slopes) {
-    join_offsets(surface.grid, found, surface.footprint, threads, [](float a, float b) { return std::max(a, b); }, slopes);
+    Image<float> needs(surface.grid.width, rows);
+    for (int j = 0; j < rows; ++j) {
+        std::copy_n(near(y0 + j), surface.grid.width, needs.row(j));
+        if (surface.has_footprint())
+            join_offsets(surface.grid, near, narrowed, y0 + j, [](float a, float b) { return std::min(a, b); }, needs.row(j));
+    }
+    return needs;
 }
 
 } // namespace
 
+static_assert(far_tile_rows == tile_size);
+
+std::uint64_t search_tile_row(const SearchSurface& surface, const SearchTarget& target, const MaxPyramid& pyramid, float tolerance,
+                              int tile_row, const RowOf& near, Image<float>& found) {
+    const int y0 = tile_row * tile_size, rows = std::min(tile_size, surface.grid.height - y0), width = surface.grid.width;
+    const Image<float> needs = needs_of_rows(surface, near, y0, rows);
+    const SearchSpace space = make_space(surface, tolerance);
+    TileSearch search(surface, target, pyramid, space);
+    for (int tile = 0; tile * tile_size < width; ++tile) {
+        search.run(tile, tile_row, needs);
+        const int x0 = tile * tile_size;
+        for (int j = 0; j < rows; ++j) std::copy_n(search.tile().found + j * tile_size, std::min(tile_size, width - x0), found.row(j) + x0);
+    }
+    return search.visits();
+}
+
+void raise_row_by_found(const SearchSurface& surface, int y, const RowOf& found, float* slopes) {
+    // Beyond a clamped border lies the border's own texel.
+    join_offsets(surface.grid, found, surface.footprint, y, [](float a, float b) { return std::max(a, b); }, slopes);
+}
+
 std::uint64_t search_far_slopes(const SearchSurface& surface, const SearchTarget& target, const MaxPyramid& pyramid, float tolerance,
                                 int threads, Image<float>& slopes) {
-    const SearchSpace space = make_space(surface, tolerance);
-    const int width = surface.grid.width, height = surface.grid.height;
-    const Image<float> needs = surface.has_footprint() ? footprint_minimum(surface, slopes, threads) : slopes;
-    Image<float> found(width, height);
+    const int height = surface.grid.height, tile_rows = (height + tile_size - 1) / tile_size;
+    std::vector<Image<float>> found;
+    found.resize(std::size_t(tile_rows));
     std::atomic<std::uint64_t> visits = 0;
-    const int tiles_x = (width + tile_size - 1) / tile_size, tiles_y = (height + tile_size - 1) / tile_size;
-    parallel_for(tiles_y, threads, [&](int ty) {
-        TileSearch search(surface, target, pyramid, space);
-        for (int tx = 0; tx < tiles_x; ++tx) {
-            search.run(tx, ty, needs);
-            for (int j = 0; j < tile_size && ty * tile_size + j < height; ++j)
-                for (int i = 0; i < tile_size && tx * tile_size + i < width; ++i)
-                    found(tx * tile_size + i, ty * tile_size + j) = search.tile().found[j * tile_size + i];
-        }
-        visits += search.visits();
+    parallel_for(tile_rows, threads, [&](int row) {
+        Image<float>& own = found[std::size_t(row)] = Image<float>(surface.grid.width, std::min(tile_size, height - row * tile_size));
+        visits += search_tile_row(surface, target, pyramid, tolerance, row, [&](int y) { return slopes.row(y); }, own);
     });
-    raise_by_footprint(surface, found, threads, slopes);
+    const RowOf found_row = [&](int y) { return found[std::size_t(y / tile_size)].row(y % tile_size); };
+    parallel_for(height, threads, [&](int y) { raise_row_by_found(surface, y, found_row, slopes.row(y)); });
     return visits;
 }
 

@@ -46,7 +46,7 @@ Result<void> validate_options(const HeightOptions& options, bool source_is_integ
 }
 
 /// Every texel of the result is finite. Holes hold what lies beside them, so that they change no range.
-Result<Image<float>> validate_samples(const Image<float>& source, const HoleMask& holes, const HeightOptions& options,
+Result<Image<float>> validate_samples(Image<float> source, const HoleMask& holes, const HeightOptions& options,
                                       const std::string& name, HeightReport& report) {
     BadTexels bad = find_bad_texels(source, options.no_data, holes);
     report.bad_texels = bad.count;
@@ -60,10 +60,9 @@ Result<Image<float>> validate_samples(const Image<float>& source, const HoleMask
                                              position_text(bad.first_x, bad.first_y) +
                                              "; --nan fill fills them from the nearest valid texel");
     if (open == source.size()) return Image<float>(source.width(), source.height(), options.range == RangeMode::fixed ? options.range_low : 0);
-    Image<float> plane = source;
     add_holes(holes, bad);
-    fill_bad_texels(plane, std::move(bad));
-    return plane;
+    fill_bad_texels(source, std::move(bad));
+    return source;
 }
 
 SourceRange choose_range(const HeightOptions& options, bool source_is_integer, const HeightReport& report) {
@@ -77,12 +76,12 @@ Result<void> validate_range(const Image<float>& plane, const SourceRange& range,
     const auto outside = [&](float v) { return v < range.low || v > range.high; };
     const auto first = std::find_if(plane.begin(), plane.end(), outside);
     if (first == plane.end()) return {};
-    const int at = int(first - plane.begin());
+    const std::size_t at = std::size_t(first - plane.begin()), width = std::size_t(plane.width());
     return fail(ErrorCode::bad_data, name + ": expected values in " + number_text(range.low) + ":" +
                                          number_text(range.high) + ", found " +
                                          std::to_string(std::count_if(first, plane.end(), outside)) +
                                          " outside, the first " + number_text(*first) + " at " +
-                                         position_text(at % plane.width(), at / plane.width()) +
+                                         position_text(int(at % width), int(at / width)) +
                                          "; --range data takes the smallest and largest value");
 }
 
@@ -133,13 +132,13 @@ class HeightFieldBuilder {
     }
 };
 
-Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer, const HeightOptions& options,
+Result<CheckedHeight> make_height_field(Image<float> source, bool source_is_integer, const HeightOptions& options,
                                         const std::string& name, HoleMask holes) {
     assert(holes.empty() || (holes.width() == source.width() && holes.height() == source.height()));
     if (Result<void> valid = validate_options(options, source_is_integer, name); !valid) return tl::unexpected(valid.error());
     // Make every sample finite.
     HeightReport report;
-    Result<Image<float>> plane = validate_samples(source, holes, options, name, report);
+    Result<Image<float>> plane = validate_samples(std::move(source), holes, options, name, report);
     if (!plane) return tl::unexpected(plane.error());
     const auto [low, high] = std::minmax_element(plane->begin(), plane->end());
     report.source_low = *low;

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace reliefbake {
 
@@ -42,6 +43,7 @@ class HeightField {
     const TexelGrid& grid() const { return grid_; }
     const Image<float>& heights() const { return heights_; }
     const HoleMask& holes() const { return holes_; }
+    Image<float> take_heights() && { return std::move(heights_); }
 
   private:
     friend class HeightFieldBuilder;
@@ -72,7 +74,8 @@ struct CheckedHeight {
 /// `holes`: empty, or of the source's size; what the source holds there is neither judged nor measured.
 /// Guarantee: an integer source of 8 or 16 bits comes back code for code from quantise_depth at its own
 /// depth (with holes, but for depth 1, which they reserve), and the grid's pixel aspect is one that bake_cones accepts.
-Result<CheckedHeight> make_height_field(const Image<float>& source, bool source_is_integer, const HeightOptions& options,
+/// `source` by value: a plane that is moved in becomes the heights, where it lies.
+Result<CheckedHeight> make_height_field(Image<float> source, bool source_is_integer, const HeightOptions& options,
                                         const std::string& name, HoleMask holes = {});
 
 /// The depth plane as it is stored: what the shader will sample, and what every cone is baked for (MATHS:
@@ -91,5 +94,7 @@ struct DepthMap {
 
 /// Depth = 1 - height, rounded to the nearest code of `bits`. Of a field with holes, solid texels to the nearest code below 1.
 DepthMap quantise_depth(const HeightField& field, BitDepth bits);
+/// The same in place of the heights.
+DepthMap quantise_depth(HeightField&& field, BitDepth bits);
 
 } // namespace reliefbake

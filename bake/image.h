@@ -17,6 +17,14 @@ class Image {
         : width_(width), height_(height), pixels_(std::size_t(width) * std::size_t(height), fill) {
         assert(width > 0 && height > 0);
     }
+    /// Unfilled, in `storage`, which outlives the image and what it is moved to; null is the heap.
+    static Image unfilled(int width, int height, std::pmr::memory_resource* storage) {
+        assert(width > 0 && height > 0);
+        Image image;
+        image.width_ = width, image.height_ = height;
+        image.pixels_ = LargeArray<T>(std::size_t(width) * std::size_t(height), LargeAllocator<T>(storage));
+        return image;
+    }
 
     int width() const { return width_; }
     int height() const { return height_; }

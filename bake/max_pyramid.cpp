@@ -83,24 +83,7 @@ void fit_slopes(PyramidNode& node, const PyramidNode* const* children, const dou
     node.gy = var_y > 0 ? float(cov_y / var_y) : 0.0f;
 }
 
-/// One level while the next is built from it; `means` are the nodes' mean heights.
-struct Level {
-    int width, height;
-    std::vector<PyramidNode> nodes;
-    std::vector<double> means;
-
-    Level(int w, int h) : width(w), height(h), nodes(std::size_t(w) * h), means(std::size_t(w) * h) {}
-};
-
-void join(const Level& below, int i, int j, PyramidNode& node, double& mean) {
-    const PyramidNode* children[4];
-    double means[4];
-    int count = 0;
-    for (int cj = 2 * j; cj < std::min(2 * j + 2, below.height); ++cj)
-        for (int ci = 2 * i; ci < std::min(2 * i + 2, below.width); ++ci) {
-            const std::size_t k = std::size_t(cj) * below.width + ci;
-            children[count] = &below.nodes[k], means[count++] = below.means[k];
-        }
+void join(const PyramidNode* const* children, const double* means, int count, PyramidNode& node, double& mean) {
     // Join boxes, maxima and means.
     float x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY, largest = 0;
     double n = 0;
@@ -124,58 +107,79 @@ void join(const Level& below, int i, int j, PyramidNode& node, double& mean) {
     node.plane = offset + plane_slack * (largest + tilt);
 }
 
-Level leaf_level(const Image<float>& heights, int threads) {
-    constexpr int s = MaxPyramid::leaf_size;
-    Level level((heights.width() + s - 1) / s, (heights.height() + s - 1) / s);
-    parallel_for(level.height, threads, [&](int j) {
-        for (int i = 0; i < level.width; ++i) {
-            const Box box{i * s, j * s, std::min(i * s + s, heights.width()), std::min(j * s + s, heights.height())};
-            const std::size_t k = std::size_t(j) * level.width + i;
-            level.nodes[k] = leaf_node(heights, box, level.means[k]);
-        }
-    });
-    return level;
-}
-
-Level level_above(const Level& below, int threads) {
-    Level level((below.width + 1) / 2, (below.height + 1) / 2);
-    parallel_for(level.height, threads, [&](int j) {
-        for (int i = 0; i < level.width; ++i) {
-            const std::size_t k = std::size_t(j) * level.width + i;
-            join(below, i, j, level.nodes[k], level.means[k]);
-        }
-    });
-    return level;
-}
-
-std::vector<PyramidQuad> pack(const Level& level, int threads) {
-    const int quads_x = (level.width + 1) / 2, quads_y = (level.height + 1) / 2;
-    PyramidQuad outside{};
-    std::fill(std::begin(outside.max), std::end(outside.max), -INFINITY);
-    std::vector<PyramidQuad> quads(std::size_t(quads_x) * quads_y, outside);
-    parallel_for(level.height, threads, [&](int j) {
-        for (int i = 0; i < level.width; ++i) {
-            const PyramidNode& n = level.nodes[std::size_t(j) * level.width + i];
-            PyramidQuad& q = quads[std::size_t(j / 2) * quads_x + i / 2];
-            const int c = (i & 1) + 2 * (j & 1);
-            q.max[c] = n.max, q.plane[c] = n.plane, q.gx[c] = n.gx, q.gy[c] = n.gy;
-        }
-    });
-    return quads;
-}
-
 } // namespace
 
-MaxPyramid build_max_pyramid(const Image<float>& heights, int threads) {
-    MaxPyramid pyramid;
-    pyramid.width_ = heights.width(), pyramid.height_ = heights.height();
-    Level level = leaf_level(heights, threads);
-    pyramid.levels_.push_back(pack(level, threads));
-    while (level.nodes.size() > 1) {
-        level = level_above(level, threads);
-        pyramid.levels_.push_back(pack(level, threads));
+/// Level by level from the leaves. Besides the nodes only their mean heights are kept, until the level above is made.
+class PyramidBuilder {
+  public:
+    PyramidBuilder(const Image<float>& heights, int threads, std::pmr::memory_resource* storage)
+        : heights_(heights), threads_(threads), storage_(storage) {
+        pyramid_.width_ = heights.width(), pyramid_.height_ = heights.height();
     }
-    return pyramid;
+
+    MaxPyramid build() {
+        add_level([&](int i, int j, double& mean) {
+            constexpr int s = MaxPyramid::leaf_size;
+            return leaf_node(heights_, {i * s, j * s, std::min(i * s + s, heights_.width()), std::min(j * s + s, heights_.height())}, mean);
+        });
+        while (nodes_x() * nodes_y() > 1) {
+            const LargeArray<double> below = std::move(means_);
+            const int level = pyramid_.level_count() - 1;
+            add_level([&](int i, int j, double& mean) { return node_above(level, below, i, j, mean); });
+        }
+        return std::move(pyramid_);
+    }
+
+  private:
+    std::size_t nodes_x() const { return std::size_t(pyramid_.nodes_x(pyramid_.level_count() - 1)); }
+    std::size_t nodes_y() const { return std::size_t(pyramid_.nodes_y(pyramid_.level_count() - 1)); }
+
+    /// make(i, j, mean): the node (i, j) of the new level.
+    template <class Make>
+    void add_level(const Make& make) {
+        PyramidQuad outside{};
+        std::fill(std::begin(outside.max), std::end(outside.max), -INFINITY);
+        const int level = pyramid_.level_count(), width = pyramid_.nodes_x(level), height = pyramid_.nodes_y(level);
+        const std::size_t quads_x = (std::size_t(width) + 1) / 2, quads_y = (std::size_t(height) + 1) / 2;
+        LargeArray<PyramidQuad> quads(quads_x * quads_y, outside, LargeAllocator<PyramidQuad>(storage_));
+        LargeArray<double> means(std::size_t(width) * std::size_t(height), LargeAllocator<double>(storage_));
+        parallel_for(height, threads_, [&](int j) {
+            for (int i = 0; i < width; ++i) {
+                const PyramidNode n = make(i, j, means[std::size_t(j) * std::size_t(width) + std::size_t(i)]);
+                PyramidQuad& q = quads[std::size_t(j / 2) * quads_x + std::size_t(i / 2)];
+                const int c = (i & 1) + 2 * (j & 1);
+                q.max[c] = n.max, q.plane[c] = n.plane, q.gx[c] = n.gx, q.gy[c] = n.gy;
+            }
+        });
+        pyramid_.levels_.push_back(std::move(quads));
+        means_ = std::move(means);
+    }
+
+    PyramidNode node_above(int level, const LargeArray<double>& below, int i, int j, double& mean) const {
+        const int width = pyramid_.nodes_x(level), height = pyramid_.nodes_y(level);
+        PyramidNode nodes[4];
+        const PyramidNode* children[4];
+        double means[4];
+        int count = 0;
+        for (int cj = 2 * j; cj < std::min(2 * j + 2, height); ++cj)
+            for (int ci = 2 * i; ci < std::min(2 * i + 2, width); ++ci) {
+                nodes[count] = pyramid_.node(level, ci, cj), children[count] = &nodes[count];
+                means[count++] = below[std::size_t(cj) * std::size_t(width) + std::size_t(ci)];
+            }
+        PyramidNode node{};
+        join(children, means, count, node, mean);
+        return node;
+    }
+
+    const Image<float>& heights_;
+    const int threads_;
+    std::pmr::memory_resource* const storage_;
+    MaxPyramid pyramid_;
+    LargeArray<double> means_;
+};
+
+MaxPyramid build_max_pyramid(const Image<float>& heights, int threads, std::pmr::memory_resource* storage) {
+    return PyramidBuilder(heights, threads, storage).build();
 }
 
 } // namespace reliefbake

@@ -42,7 +42,7 @@ double SearchSurface::widest_step() const { return metric == Metric::l1 ? 1 + gr
 
 namespace {
 
-constexpr int block_width = 1024, block_rows = 64; // fixed: results cannot depend on the number of threads
+constexpr int block_width = 1024; // fixed, as near_block_rows is: results cannot depend on the number of threads
 
 /// All displacements in the wedge with Chebyshev norm in [low, high] steps, joined by distance. `unit`: texels per step;
 /// `offset(dx, dy)`: where that neighbour lies in memory.
@@ -156,9 +156,10 @@ std::vector<float> bound_cells(const Pass& pass, const SlopePlanes& planes) {
     return out;
 }
 
-void near_slopes_of_block(const SearchSurface& surface, const NearKernels& kernels, int x0, int y0, float lowest,
+/// Row 0 of `out` is row `top` of the map.
+void near_slopes_of_block(const SearchSurface& surface, const NearKernels& kernels, int x0, int y0, float lowest, int top,
                           Image<float>& out) {
-    const int width = std::min(block_width, surface.grid.width - x0), y1 = std::min(y0 + block_rows, surface.grid.height);
+    const int width = std::min(block_width, surface.grid.width - x0), y1 = std::min(y0 + near_block_rows, surface.grid.height);
     const Block block = make_block(surface, x0, width, y0, y1, lowest, has_cells(surface));
     SlopePlanes planes{y0, block.stride, std::size_t(y1 - y0 + 2) * block.stride, {}, {}, {}};
     const Pass pass{surface, kernels, block};
@@ -179,26 +180,46 @@ void near_slopes_of_block(const SearchSurface& surface, const NearKernels& kerne
         const Footprint inside = surface.footprint_at(std::min(1, surface.grid.width - 1), y);
         rows.footprint = {surface.footprint.x_low, surface.footprint.x_high, inside.y_low, inside.y_high};
         kernels.footprint_slopes(rows, 0, block.width, row.data());
-        std::copy_n(row.data(), block.width, out.row(y) + x0);
+        std::copy_n(row.data(), block.width, out.row(y - top) + x0);
         for (int x : {0, surface.grid.width - 1}) {
             if (x < x0 || x >= x0 + block.width) continue;
             rows.footprint = surface.footprint_at(x, y);
             kernels.footprint_slopes(rows, x - x0, 1, row.data());
-            out(x, y) = row[0];
+            out(x, y - top) = row[0];
         }
     }
+}
+
+int blocks_across(const SearchSurface& surface) { return (surface.grid.width + block_width - 1) / block_width; }
+
+float lowest_for_exits(const SearchSurface& surface) {
+    return surface.exits ? *std::min_element(surface.height.begin(), surface.height.end()) : 0.0f;
 }
 
 } // namespace
 
 Image<float> near_slopes(const SearchSurface& surface, int threads) {
-    const int width = surface.grid.width, height = surface.grid.height;
-    const int blocks_x = (width + block_width - 1) / block_width, blocks_y = (height + block_rows - 1) / block_rows;
-    const float lowest = surface.exits ? *std::min_element(surface.height.begin(), surface.height.end()) : 0.0f;
+    const int height = surface.grid.height, blocks_x = blocks_across(surface), blocks_y = (height + near_block_rows - 1) / near_block_rows;
+    const float lowest = lowest_for_exits(surface);
     const NearKernels kernels = near_kernels();
-    Image<float> out(width, height);
+    Image<float> out(surface.grid.width, height);
     parallel_for(blocks_x * blocks_y, threads, [&](int b) {
-        near_slopes_of_block(surface, kernels, b % blocks_x * block_width, b / blocks_x * block_rows, lowest, out);
+        near_slopes_of_block(surface, kernels, b % blocks_x * block_width, b / blocks_x * near_block_rows, lowest, 0, out);
+    });
+    return out;
+}
+
+std::vector<Image<float>> near_slopes_of_block_rows(const SearchSurface& surface, std::span<const int> block_rows, int threads) {
+    const int blocks_x = blocks_across(surface);
+    const float lowest = lowest_for_exits(surface);
+    const NearKernels kernels = near_kernels();
+    std::vector<Image<float>> out;
+    for (const int row : block_rows)
+        out.push_back(Image<float>(surface.grid.width, std::min(near_block_rows, surface.grid.height - row * near_block_rows)));
+    parallel_for(blocks_x * int(block_rows.size()), threads, [&](int b) {
+        const std::size_t k = std::size_t(b / blocks_x);
+        const int top = block_rows[k] * near_block_rows;
+        near_slopes_of_block(surface, kernels, b % blocks_x * block_width, top, lowest, top, out[k]);
     });
     return out;
 }

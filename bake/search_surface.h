@@ -7,6 +7,8 @@
 
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace reliefbake {
 
@@ -63,6 +65,12 @@ constexpr int near_radius = 10;
 /// Slope that the near surface alone asks of each texel's cone, at least slope_floor: cells within one texel exactly,
 /// half-texel lattice up to two texels, texels up to near_radius.
 Image<float> near_slopes(const SearchSurface& surface, int threads);
+
+/// The bounds of a texel depend on the block it is in: one of near_block_rows rows (fewer at the bottom), counted from row 0.
+constexpr int near_block_rows = 64;
+
+/// The same slopes for some rows of blocks alone; row k of block row b is that of texels b near_block_rows + k.
+std::vector<Image<float>> near_slopes_of_block_rows(const SearchSurface& surface, std::span<const int> block_rows, int threads);
 
 /// Distance in texels of a displacement by (dx, dy) lattice steps, in the surface's metric, deflated.
 double deflated_distance(const SearchSurface& surface, double dx, double dy);

@@ -9,9 +9,11 @@
 #include "cli/bench/bench_render.h"
 #include "cli/bench/bench_shape.h"
 #include "cli/bench/bench_surface.h"
+#include "cli/bench/bench_terrain.h"
 #include "cli/bump/bake_bump.h"
 #include "cli/cone/bake_families.h"
 #include "cli/explain/explain.h"
+#include "cli/merge/merge.h"
 #include "cli/quadric/bake_quadric.h"
 #include "cli/render/render.h"
 #include "cli/render/shader.h"
@@ -45,7 +47,9 @@ constexpr CommandEntry all_commands[] = {
     {"bench quadric", "Time the fit of quadrics, and judge it on known surfaces", make<BenchQuadricCommand>},
     {"bench render", "Time the frames of a cone map", make<BenchRenderCommand>},
     {"bench surface", "Write a mesh of a known surface, for curved relief", make<BenchSurfaceCommand>},
+    {"bench terrain", "Write a large height map, to bake", make<BenchTerrainCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
+    {"merge", "Join the bands of a large map that were baked apart (cone --rows)", make<MergeCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
     {"stress", "Report what each encoding keeps at the numerical extremes", make<StressCommand>},

@@ -52,6 +52,9 @@ class StageClock {
         return result;
     }
 
+    /// Shows how far a stage is, until the next.
+    void tell(const std::string& stage) { progress_.set_stage(stage); }
+
     /// Adds a stage measured elsewhere.
     void add(const std::string& stage, double seconds) { seconds_.emplace_back(stage, seconds); }
 

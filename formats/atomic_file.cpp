@@ -119,16 +119,28 @@ struct FileBatch::Staged {
     fs::path path, target, directory;
     Temporary temporary;
 
-    /// Creates the temporary beside its final name (rename works within one file system only), writes, and believes nothing
-    /// before the disk says so.
+    UniqueFd fd{};
+
+    /// Creates the temporary beside its final name: rename works within one file system only.
+    Result<void> create() {
+        fd = temporary.create(directory);
+        if (fd) return {};
+        const bool full = errno == ENOSPC || errno == EDQUOT;
+        return system_error(full ? ErrorCode::write_failed : ErrorCode::cannot_create, path, "cannot create", errno);
+    }
+
+    Result<void> stopped() const {
+        return system_error(ErrorCode::write_failed, path, "writing stopped half-way, nothing was left behind", errno);
+    }
+
     Result<void> write(std::span<const std::byte> bytes) {
-        UniqueFd fd = temporary.create(directory);
-        if (!fd) {
-            const bool full = errno == ENOSPC || errno == EDQUOT;
-            return system_error(full ? ErrorCode::write_failed : ErrorCode::cannot_create, path, "cannot create", errno);
-        }
-        if (!write_all(fd.get(), bytes) || ::fsync(fd.get()) != 0 || !fd.reset())
-            return system_error(ErrorCode::write_failed, path, "writing stopped half-way, nothing was left behind", errno);
+        return write_all(fd.get(), bytes) ? sync() : stopped();
+    }
+
+    /// Believes nothing before the disk says so.
+    Result<void> sync() {
+        if (!fd) return {};
+        if (::fsync(fd.get()) != 0 || !fd.reset()) return stopped();
         return {};
     }
 
@@ -145,7 +157,7 @@ struct FileBatch::Staged {
 FileBatch::FileBatch() = default;
 FileBatch::~FileBatch() = default;
 
-Result<void> FileBatch::add(const fs::path& path, std::span<const std::byte> bytes) {
+Result<int> FileBatch::open(const fs::path& path) {
     const Result<fs::path> target = target_of(path);
     if (!target) return tl::unexpected(target.error());
     // A batch that waited for slots of its own would wait for ever.
@@ -153,12 +165,23 @@ Result<void> FileBatch::add(const fs::path& path, std::span<const std::byte> byt
     else if (!free_slots.try_acquire()) return fail(ErrorCode::write_failed, path.string() + ": too many files at once");
     const fs::path directory = target->has_parent_path() ? target->parent_path() : fs::path(".");
     files_.push_back(std::unique_ptr<Staged>(new Staged{path, *target, directory, {}}));
+    if (const Result<void> created = files_.back()->create(); !created) {
+        files_.pop_back(); // never to be published
+        return tl::unexpected(created.error());
+    }
+    return files_.back()->fd.get();
+}
+
+Result<void> FileBatch::add(const fs::path& path, std::span<const std::byte> bytes) {
+    if (const Result<int> opened = open(path); !opened) return tl::unexpected(opened.error());
     const Result<void> written = files_.back()->write(bytes);
-    if (!written) files_.pop_back(); // never to be published
+    if (!written) files_.pop_back();
     return written;
 }
 
 Result<void> FileBatch::publish() {
+    for (const std::unique_ptr<Staged>& file : files_)
+        if (Result<void> synced = file->sync(); !synced) return synced;
     for (const std::unique_ptr<Staged>& file : files_)
         if (Result<void> published = file->publish(); !published) return published;
     files_.clear();

@@ -29,6 +29,10 @@ class FileBatch {
     /// Errors as write_file_atomically; write_failed, too, for more files than can be kept track of (1024 a process).
     Result<void> add(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+    /// Creates the temporary alone, for a file that is written piece by piece; its descriptor stays this batch's, write only. Whoever
+    /// writes believes nothing before `publish` has asked the disk. Errors as `add`.
+    Result<int> open(const std::filesystem::path& path);
+
     /// Renames all, one right after the other, in the order of `add`. Each file is whole at any time; the one step that can still
     /// fail is a rename (write_failed), and files before it stay.
     Result<void> publish();

@@ -66,31 +66,49 @@ Result<DecodeSession> DecodeSession::open(const std::filesystem::path& path, std
     if (level > 0 && *format != ImageFormat::openexr && *format != ImageFormat::tiff)
         return fail(ErrorCode::usage, path.string() + ": only EXR and TIFF files hold mip levels; a numbered file holds one alone");
 
-    DecodeSession session;
-    session.name_ = path.string();
-    session.format_ = *format;
+    DecodeSession session(path, *file, *format);
     session.level_ = level;
-    session.file_bytes_ = file->bytes;
     session.max_bytes_ = max_bytes;
     const std::uint64_t allowed = decode_budget(file->bytes, max_bytes);
     // Twice: a progressive JPEG keeps 16-bit coefficients, an interlaced PNG its rows, and the reader's copy.
     constexpr std::uint64_t boundless = 1ull << 60;
     session.memory_ = scratch_memory + 2 * std::min(allowed, boundless);
+    return session.begin(*file, decode_seconds(*format == ImageFormat::jpeg ? allowed : 0), planes).map([&] { return std::move(session); });
+}
 
+Result<DecodeSession> DecodeSession::open_rows(const std::filesystem::path& path, std::uint64_t max_bytes) {
+    const Result<InputFile> file = open_input(path);
+    if (!file) return tl::unexpected(file.error());
+    const Result<ImageFormat> format = format_of(*file, path);
+    if (!format) return tl::unexpected(format.error());
+    if (*format != ImageFormat::openexr && *format != ImageFormat::tiff)
+        return fail(ErrorCode::usage, path.string() + ": only EXR and TIFF files are read row by row");
+
+    DecodeSession session(path, *file, *format);
+    constexpr std::uint64_t least = 64ull << 20, rate = 1000;
+    session.max_bytes_ = max_bytes > 0 ? max_bytes : std::max(least, rate * file->bytes);
+    session.memory_ = scratch_memory;
+    if (Result<void> begun = session.begin(*file, decode_seconds(0), 0); !begun) return tl::unexpected(begun.error());
+    // A row of tiles: as stored, as the library converts it, and the block of floats.
+    ImageClaims row = session.claims_;
+    row.height = std::max<std::int64_t>(row.tile_height, 64);
+    session.memory_ = scratch_memory + 4 * decoded_bytes(row);
+    return session;
+}
+
+DecodeSession::DecodeSession(const std::filesystem::path& path, const InputFile& file, ImageFormat format)
+    : name_(path.string()), file_bytes_(file.bytes), format_(format) {}
+
+Result<void> DecodeSession::begin(const InputFile& file, int seconds, int planes) {
     ImageWorker& worker = ImageWorker::instance();
-    session.lock_ = worker.lock();
-    const Result<Message> answer =
-        worker.ask({{"do", "open"}, {"reader", reader_name(*format)}, {"level", level}}, file->fd.get(),
-                   {decode_seconds(*format == ImageFormat::jpeg ? allowed : 0), session.memory_}, ImageWorker::Turn::first,
-                   ErrorCode::bad_data, session.name_);
+    lock_ = worker.lock();
+    const Result<Message> answer = worker.ask({{"do", "open"}, {"reader", reader_name(format_)}, {"level", level_}}, file.fd.get(),
+                                              {seconds, memory_}, ImageWorker::Turn::first, ErrorCode::bad_data, name_);
     if (!answer) return tl::unexpected(answer.error());
     auto claims = claims_from_json(answer->body);
-    if (!claims) return fail(ErrorCode::bad_data, session.name_ + ": the image helper's answer makes no sense");
-    session.claims_ = std::move(*claims);
-    if (Result<void> checked = check_claims(session.claims_, file->bytes, max_bytes, planes, session.name_); !checked)
-        return tl::unexpected(checked.error());
-    if (Result<void> whole = session.look_closer(*file); !whole) return tl::unexpected(whole.error());
-    return session;
+    if (!claims) return fail(ErrorCode::bad_data, name_ + ": the image helper's answer makes no sense");
+    claims_ = std::move(*claims);
+    return check_planes(planes).and_then([&] { return look_closer(file); });
 }
 
 Result<void> DecodeSession::check_planes(int planes) const {

@@ -23,6 +23,10 @@ class DecodeSession {
     static Result<DecodeSession> open(const std::filesystem::path& path, std::uint64_t max_bytes, int planes,
                                       int level = 0);
 
+    /// The same for a caller that keeps no plane in memory: rows of tiles are decoded and handed on, and only they count; the budget
+    /// is max_bytes, or 1000 times the file's size, 64 MiB at least. EXR and TIFF alone (usage).
+    static Result<DecodeSession> open_rows(const std::filesystem::path& path, std::uint64_t max_bytes);
+
     /// Refuses (bad_data) when the caller keeps `planes` float planes after all and the budget has no room for them.
     Result<void> check_planes(int planes) const;
 
@@ -40,7 +44,9 @@ class DecodeSession {
     struct InputFile;
 
   private:
-    DecodeSession() = default;
+    DecodeSession(const std::filesystem::path& path, const InputFile& file, ImageFormat format);
+    /// Sends the header through the worker and the gate.
+    Result<void> begin(const InputFile& file, int seconds, int planes);
     Result<void> look_closer(const InputFile& file);
 
     std::string name_;

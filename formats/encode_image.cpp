@@ -59,15 +59,18 @@ std::uint64_t pixel_bytes(const EncodeRequest& request) {
     return pixels * request.channels.size() * std::uint64_t(sample_size(request.pixels));
 }
 
-Result<SharedMemory> encode_image(const EncodeRequest& given, const SharedMemory& pixels, const std::string& name) {
+nlohmann::json encode_message(const EncodeRequest& given) {
     EncodeRequest request = given;
     add_common_attributes(request);
+    return {{"writer", request.writer},     {"width", request.width},   {"height", request.height},
+            {"channels", request.channels}, {"sample", request.sample}, {"pixels", request.pixels},
+            {"attributes", request.attributes}, {"mips", request.mips}, {"threads", request.threads}};
+}
+
+Result<SharedMemory> encode_image(const EncodeRequest& request, const SharedMemory& pixels, const std::string& name) {
     const std::uint64_t bytes = pixel_bytes(request);
-    const nlohmann::json message{{"do", "encode"},          {"writer", request.writer},     {"width", request.width},
-                                 {"height", request.height}, {"channels", request.channels}, {"sample", request.sample},
-                                 {"pixels", request.pixels}, {"attributes", request.attributes}, {"bytes", bytes},
-                                 {"mips", request.mips},
-                                 {"threads", request.threads}};
+    nlohmann::json message = encode_message(request);
+    message["do"] = "encode", message["bytes"] = bytes;
     // The pixels, the library's converted copy, the encoded bytes twice, and room for doubling vectors. Deflate at 2 MiB
     // a second is the slowest that 16-bit noise gives.
     constexpr std::uint64_t scratch = 256ull << 20;

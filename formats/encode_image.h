@@ -33,4 +33,7 @@ std::uint64_t pixel_bytes(const EncodeRequest& request);
 /// `name` is the file, for messages. Errors: write_failed, internal.
 Result<SharedMemory> encode_image(const EncodeRequest& request, const SharedMemory& pixels, const std::string& name);
 
+/// The request as the helper is told it, less `do`: with compression, time and all that every file of ours has.
+nlohmann::json encode_message(const EncodeRequest& request);
+
 } // namespace reliefbake

@@ -10,7 +10,9 @@
 //   next   {do}  once a block has been taken    -> {rows}: float samples, interleaved in the order of `channels`
 //   encode {do, writer, width, height, channels, sample, attributes, bytes, mips, threads, cpu} + pixels
 //                                               -> {bytes} + encoded file
-// `memory` (bytes of address space above the worker's own) and `cpu` (seconds) are the limits of that request.
+//   encode_rows {do, writer ... as encode, block, file} + output -> {bytes} + shared memory for `block` rows, then as often as needed
+//   rows   {do, rows, file}  once so many rows lie there -> {}: they are in the file, which is complete with the last
+// `memory` (bytes of address space above the worker's own) and `cpu` (seconds) are the limits of that request; `file`, where given, of the file it writes.
 
 #include "bake/error.h"
 #include "formats/message.h"

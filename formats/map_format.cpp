@@ -94,4 +94,8 @@ std::filesystem::path mip_path(const std::filesystem::path& path, int level) {
     return path.parent_path() / (path.stem().string() + "_mip" + std::to_string(level) + path.extension().string());
 }
 
+nlohmann::json map_attributes(MapFormat format, const nlohmann::json& facts) {
+    return metadata_attributes(format, facts, {"kind", "family", "metric", "encoding", "surface", "normal_y", "guarantee"});
+}
+
 } // namespace reliefbake

@@ -26,4 +26,7 @@ const char* sample_name(BitDepth bits);
 /// Latin-1.
 nlohmann::json metadata_attributes(MapFormat format, const nlohmann::json& facts, std::initializer_list<const char*> words);
 
+/// Those of a relief map.
+nlohmann::json map_attributes(MapFormat format, const nlohmann::json& facts);
+
 } // namespace reliefbake

@@ -55,11 +55,10 @@ float luminance(const float* rgb) {
     return float(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
 }
 
-} // namespace
-
-Result<SourceImage> read_image(const std::filesystem::path& path, const ReadOptions& options) {
+/// `storage` may be null: the heap.
+Result<SourceImage> read_through(Result<DecodeSession> session, const std::filesystem::path& path, const ReadOptions& options,
+                                 std::pmr::memory_resource* storage) {
     // Look at the header.
-    Result<DecodeSession> session = DecodeSession::open(path, options.max_bytes, 1);
     if (!session) return tl::unexpected(session.error());
     const ImageClaims& claims = session->claims();
     const bool take_alpha = options.prefer_alpha && options.channel.empty() && index_of(claims.channels, "A") >= 0;
@@ -76,7 +75,8 @@ Result<SourceImage> read_image(const std::filesystem::path& path, const ReadOpti
     image.no_data = session->no_data();
 
     // Take the rows.
-    image.plane = Image<float>(int(claims.width), int(claims.height));
+    image.plane = storage ? Image<float>::unfilled(int(claims.width), int(claims.height), storage)
+                          : Image<float>(int(claims.width), int(claims.height));
     const std::size_t stride = selection->channels.size();
     const Result<void> done = session->read(selection->channels, [&](int y, int rows, const float* samples) {
         float* out = image.plane.row(y);
@@ -88,6 +88,22 @@ Result<SourceImage> read_image(const std::filesystem::path& path, const ReadOpti
     if (!done) return tl::unexpected(done.error());
     image.pixel_hash = pixel_hash(image.plane);
     return image;
+}
+
+} // namespace
+
+Result<SourceImage> read_image(const std::filesystem::path& path, const ReadOptions& options) {
+    return read_through(DecodeSession::open(path, options.max_bytes, 1), path, options, nullptr);
+}
+
+Result<SourceImage> read_image_into(std::pmr::memory_resource& storage, const std::filesystem::path& path, const ReadOptions& options) {
+    return read_through(DecodeSession::open_rows(path, options.max_bytes), path, options, &storage);
+}
+
+Result<ImageSides> look_at_sides(const std::filesystem::path& path, const ReadOptions& options) {
+    return DecodeSession::open_rows(path, options.max_bytes).map([](const DecodeSession& session) {
+        return ImageSides{int(session.claims().width), int(session.claims().height)};
+    });
 }
 
 } // namespace reliefbake

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory_resource>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,5 +38,14 @@ struct SourceImage {
 /// Errors: no_input (cannot open), bad_data (cannot decode, not an allowed format, over the budget, no such channel:
 /// the message lists those there are).
 Result<SourceImage> read_image(const std::filesystem::path& path, const ReadOptions& options);
+
+/// The same into `storage`, row by row (DecodeSession::open_rows): no other memory grows with the image.
+Result<SourceImage> read_image_into(std::pmr::memory_resource& storage, const std::filesystem::path& path, const ReadOptions& options);
+
+/// Sides of an EXR or TIFF, and nothing else (usage). Errors as read_image_into.
+struct ImageSides {
+    int width, height;
+};
+Result<ImageSides> look_at_sides(const std::filesystem::path& path, const ReadOptions& options);
 
 } // namespace reliefbake

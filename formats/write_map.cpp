@@ -33,8 +33,7 @@ EncodeRequest request_for(MapFormat format, Levels levels, const LayoutImage& im
     request.channels = image.channels;
     request.sample = sample_name(map.info.bits);
     request.pixels = is_unorm(map.info.bits) ? request.sample : "float";
-    request.attributes = metadata_attributes(format, to_json(map.info, map.grid),
-                                             {"kind", "family", "metric", "encoding", "surface", "normal_y", "guarantee"});
+    request.attributes = map_attributes(format, to_json(map.info, map.grid));
     for (const ReliefMap& level : levels.subspan(1)) request.mips.emplace_back(image_width(level, image), level.grid.height);
     return request;
 }

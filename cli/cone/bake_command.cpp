@@ -2,6 +2,7 @@
 
 #include "cli/cone/bake_maps.h"
 #include "cli/cone/cone_report.h"
+#include "cli/cone/large/bake_bands.h"
 
 #include <cstdio>
 
@@ -22,10 +23,10 @@ std::string why_not(const std::string& word) {
     return "no such option: " + name;
 }
 
-void print(const BakedMaps& baked) {
+void print(const BakedMaps& baked, const std::optional<LargeReport>& large = std::nullopt) {
     std::vector<ConeRun> runs;
     for (const BakedMap& map : baked.maps)
-        runs.push_back({map.plan, baked.source.image, baked.source.report, map.info, map.grid, map.warnings, map.seconds, map.levels});
+        runs.push_back({map.plan, baked.source.image, baked.source.report, map.info, map.grid, map.warnings, map.seconds, map.levels, large});
     for (const ConeRun& run : runs)
         for (const std::string& warning : run.warnings) std::fprintf(stderr, "reliefbake %s: warning: %s\n", run.plan.given.command.c_str(), warning.c_str());
     const ConeCommandOptions& given = baked.maps.front().plan.given;
@@ -54,6 +55,14 @@ Result<void> BakeCommand::run() {
     if (!first) return tl::unexpected(first.error());
     const Result<std::vector<ConePlan>> plans = plan_maps(*first, also_);
     if (!plans) return tl::unexpected(plans.error());
+    const Result<std::optional<MemoryPlan>> memory = plan_bands(*plans);
+    if (!memory) return tl::unexpected(memory.error());
+    if (*memory) {
+        const Result<BakedBands> bands = bake_bands(plans->front(), **memory);
+        if (!bands) return tl::unexpected(bands.error());
+        print(bands->baked, bands->report);
+        return {};
+    }
     const Result<BakedMaps> baked = bake_maps(*plans);
     if (!baked) return tl::unexpected(baked.error());
     print(*baked);

@@ -13,7 +13,7 @@ namespace reliefbake {
 /// A command that bakes one map of cones, and with --also others of the same source.
 class BakeCommand : public Command {
   public:
-    void add_to(CLI::App& app) final;
+    void add_to(CLI::App& app) override;
     Result<void> run() final;
 
     /// Declares what may differ between the maps of one run: what is baked, how it is stored, and where.

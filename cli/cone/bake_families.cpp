@@ -31,6 +31,12 @@ void ConeCommand::add_own_options(CLI::App& app) {
     add_single_cone_result_options(app);
 }
 
+/// The options of large maps are a whole run's: not for --also.
+void SingleConeCommand::add_to(CLI::App& app) {
+    BakeCommand::add_to(app);
+    add_large_options(app, options_.large);
+}
+
 void SingleConeCommand::add_single_cone_result_options(CLI::App& app) {
     app_ = &app;
     add_exr_layout_option(app, options_);

@@ -8,6 +8,7 @@ namespace reliefbake {
 /// One cone a texel at most: depth, and with --channels what is wanted of normals and cones.
 class SingleConeCommand : public BakeCommand {
   public:
+    void add_to(CLI::App& app) final;
     Result<ConeCommandOptions> given() const final;
 
   protected:

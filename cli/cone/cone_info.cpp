@@ -12,24 +12,28 @@ namespace reliefbake {
 
 namespace {
 
-/// Over all planes of cones.
-std::map<std::string, double> statistics_of(const DepthMap& depth, const std::vector<ConeMap>& cones,
-                                            const std::vector<EncodedConeMap>& encoded) {
+/// Of the surface.
+std::map<std::string, double> statistics_of(const DepthMap& depth) {
     const auto [shallow, deep] = std::minmax_element(depth.level.begin(), depth.level.end());
-    double sum = 0, texels = 0, zero_codes = 0;
-    float least = std::numeric_limits<float>::infinity();
-    for (std::size_t k = 0; k < cones.size(); ++k) {
-        const Image<float>& ratio = cones[k].ratio;
-        sum += std::accumulate(ratio.begin(), ratio.end(), 0.0), texels += double(ratio.size());
-        least = std::min(least, *std::min_element(ratio.begin(), ratio.end()));
-        zero_codes += double(encoded[k].zero_codes);
-    }
     std::map<std::string, double> statistics = {{"depth_min", double(*shallow) / max_code(depth.bits)}, {"depth_max", double(*deep) / max_code(depth.bits)}};
-    if (!cones.empty()) statistics["ratio_min"] = shortest_decimal(least), statistics["ratio_mean"] = sum / texels, statistics["zero_codes"] = zero_codes;
     if (!depth.holes) return statistics;
     const HoleCount holes = count_holes(depth);
     statistics["hole_texels"] = double(holes.texels), statistics["open_cells"] = double(holes.cells);
     return statistics;
+}
+
+/// Over all planes of cones.
+void add_statistics(const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded, std::map<std::string, double>& statistics) {
+    double sum = 0, texels = 0, zero_codes = 0;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        const Image<float>& ratio = cones[k].ratio;
+        for (int y = 0; y < ratio.height(); ++y) sum += sum_of_row(ratio, y);
+        texels += double(ratio.size());
+        least = std::min(least, *std::min_element(ratio.begin(), ratio.end()));
+        zero_codes += double(encoded[k].zero_codes);
+    }
+    statistics["ratio_min"] = shortest_decimal(least), statistics["ratio_mean"] = sum / texels, statistics["zero_codes"] = zero_codes;
 }
 
 /// C: no surface in a cone. R: a step from outside ends with one crossing behind it at most. Others promise nothing.
@@ -40,9 +44,9 @@ std::string guarantee_of(const ConeOptions& options) {
 
 } // namespace
 
-ReliefMapInfo describe_cones(const ConePlan& plan, const BakeSource& source, const DepthMap& depth,
-                             const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded) {
-    const ConeOptions& options = cones.empty() ? plan.cone : cones.front().options;
+double sum_of_row(const Image<float>& plane, int y) { return std::accumulate(plane.row(y), plane.row(y) + plane.width(), 0.0); }
+
+ReliefMapInfo describe_surface(const ConePlan& plan, const std::string& source_hash, const DepthMap& depth, const ConeOptions& options) {
     ReliefMapInfo info;
     info.kind = plan.given.kind;
     info.planes = plan.given.kind == "cone" ? 0 : plan.given.planes;
@@ -58,17 +62,26 @@ ReliefMapInfo describe_cones(const ConePlan& plan, const BakeSource& source, con
     info.layout = plan.layout;
     info.held = plan.given.held;
     info.normal_y = plan.given.normal_y;
-    info.cone_max = encoded.empty() ? options.ratio_max : encoded.front().ratio_max;
+    info.cone_max = options.ratio_max;
     info.depth_scale = plan.depth_scale;
     info.holes = depth.holes;
     info.filter_delta = filter_delta(depth);
     info.tolerance = shortest_decimal(options.tolerance);
-    info.guarantee = plan.given.adaptive || cones.empty() ? std::string() : guarantee_of(options);
+    info.guarantee = plan.given.adaptive || !plan.given.held.cones ? std::string() : guarantee_of(options);
     info.version = version();
-    info.source_hash = source.image.pixel_hash;
-    info.alpha_hash = source.alpha_hash;
+    info.source_hash = source_hash;
     info.argument_hash = plan.argument_hash;
-    info.statistics = statistics_of(depth, cones, encoded);
+    info.statistics = statistics_of(depth);
+    return info;
+}
+
+ReliefMapInfo describe_cones(const ConePlan& plan, const BakeSource& source, const DepthMap& depth,
+                             const std::vector<ConeMap>& cones, const std::vector<EncodedConeMap>& encoded) {
+    ReliefMapInfo info = describe_surface(plan, source.image.pixel_hash, depth, cones.empty() ? plan.cone : cones.front().options);
+    info.alpha_hash = source.alpha_hash;
+    if (cones.empty()) info.guarantee.clear();
+    else add_statistics(cones, encoded, info.statistics);
+    if (!encoded.empty()) info.cone_max = encoded.front().ratio_max;
     return info;
 }
 

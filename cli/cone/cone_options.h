@@ -7,6 +7,7 @@
 #include "bake/height_field.h"
 #include "bake/relief_map.h"
 #include "cli/cone/family_options.h"
+#include "cli/cone/large/large_options.h"
 #include "cli/options/alpha_options.h"
 #include "formats/read_image.h"
 
@@ -46,6 +47,7 @@ struct ConeCommandOptions {
     int level = 0;          ///< --level: mip level of the heights that is baked as level 0
     std::optional<int> mip_levels; ///< --mip-levels: of the chain, from the largest on; unset: all
     bool trilinear = false; ///< --trilinear: cones that hold under a blend of two levels
+    LargeOptions large;     ///< --memory --out-of-core --rows
     bool json = false;
     bool quiet = false;
 };

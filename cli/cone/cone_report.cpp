@@ -39,6 +39,9 @@ void add_map_result(const ConeRun& run, json& whole) {
     whole["warnings"] = run.warnings;
     whole["seconds"] = seconds;
     if (!run.levels.empty()) whole["levels"] = level_list(run.levels);
+    if (const auto& large = run.large)
+        whole["out_of_core"] = {{"rows", {large->first, large->end}}, {"band_rows", large->band_rows}, {"memory", large->memory},
+                                {"working_space", large->working_space}, {"pyramid_in_memory", large->pyramid_in_memory}};
 }
 
 } // namespace
@@ -55,15 +58,20 @@ std::string cone_result_text(const std::vector<ConeRun>& runs) {
 
 std::string cone_summary(const ConeRun& run) {
     const auto& statistics = run.info.statistics;
-    const double texels = double(run.grid.width) * run.grid.height;
+    const double rows = run.large ? run.large->end - run.large->first : run.grid.height, texels = double(run.grid.width) * rows;
     const double seconds = run.seconds.back().second;
     std::string text = height_summary(run.plan.given, run.source, run.height, run.grid);
-    if (run.info.held.cones) text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
+    const bool whole = run.info.statistics.contains("ratio_min") || !run.info.held.cones;
+    if (!whole) text += format("  rows %d to %d alone, %s, for `merge`\n", run.large->first, run.large->end, storage_words(run.info.bits));
+    else if (run.info.held.cones) text += format("  cones %s in %s, ratio %.4g at least, %.4g on average; %.0f texels with code 0\n",
                    word_of(encoding_words, run.info.encoding).c_str(), storage_words(run.info.bits),
                    statistics.at("ratio_min"), statistics.at("ratio_mean"), statistics.at("zero_codes"));
     else text += format("  no cones; %s\n", storage_words(run.info.bits));
     if (run.info.holes)
         text += format("  %.0f texels are holes, %.0f cells open\n", statistics.at("hole_texels"), statistics.at("open_cells"));
+    if (run.large)
+        text += format("  out of core: %d rows at a time, %.0f MiB on the disk meanwhile, within %.0f MiB of memory\n", run.large->band_rows,
+                       double(run.large->working_space >> 20), double(run.large->memory >> 20));
     if (!run.levels.empty())
         text += format("  %zu mip levels, %s\n", run.levels.size(),
                        run.info.trilinear ? "safe to blend" : "one at a time (nearest mip)");

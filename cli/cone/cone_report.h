@@ -7,7 +7,9 @@
 #include "cli/stage_clock.h"
 #include "formats/read_image.h"
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,15 @@ struct MipReport {
     std::map<std::string, double> statistics;
 };
 
+/// Of a bake out of core.
+struct LargeReport {
+    int first, end;              ///< rows baked
+    int band_rows;               ///< of them at a time
+    std::uint64_t memory;        ///< the ceiling, bytes
+    std::uint64_t working_space; ///< taken on the disk beside the output, bytes
+    bool pyramid_in_memory;
+};
+
 /// Everything a finished bake knows about itself.
 struct ConeRun {
     const ConePlan& plan;
@@ -30,6 +41,7 @@ struct ConeRun {
     std::vector<std::string> warnings;
     const StageClock::Seconds& seconds;
     std::vector<MipReport> levels; ///< with --mips: all of them, level 0 first
+    std::optional<LargeReport> large; ///< out of core
 };
 
 /// The object of --json: cli/schema/cone.schema.json. The first map's, and in `also` the others'.

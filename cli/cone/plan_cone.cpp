@@ -59,6 +59,13 @@ ChannelLayout default_layout(const ConeCommandOptions& options) {
     return options.mips ? ChannelLayout::pair : ChannelLayout::side; // levels side by side would meet
 }
 
+/// A band file holds any map; else the format, by the extension, must.
+Result<void> check_file_format(const ConeCommandOptions& options, const ConePlan& plan) {
+    if (!options.large.rows) return check_map_format(options.output, layout_facts(plan));
+    if (extension_of(options.output) == ".band") return {};
+    return fail(ErrorCode::usage, "--rows: needs an output named .band, found '" + options.output + "'; merge makes a map of them");
+}
+
 Result<void> validate_relief(const ConePlan& plan) {
     if (plan.given.relief_output.empty()) return {};
     if (plan.layout == ChannelLayout::named)
@@ -111,7 +118,7 @@ Result<ConePlan> plan_cone(const ConeCommandOptions& options) {
     plan.depth_scale = depth_scale_of(options);
     plan.cone = options.cone;
     return validate_output(options)
-        .and_then([&] { return check_map_format(options.output, layout_facts(plan)); })
+        .and_then([&] { return check_file_format(options, plan); })
         .and_then([&] { return validate_relief(plan); })
         .and_then([&] { return validate_kind(options); })
         .and_then([&] { return resolve_family(options.family, plan.cone); })

@@ -1,5 +1,6 @@
 #include "cli/cone/stored_height.h"
 
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -21,10 +22,8 @@ Result<HeightOptions> with_no_data(HeightOptions options, const SourceImage& sou
     return options;
 }
 
-} // namespace
-
-Result<BakeSource> read_source(const ConeCommandOptions& given, StageClock& clock) {
-    Result<SourceImage> image = clock.time("read", [&] { return read_image(given.input, given.read); });
+/// What follows the decoding.
+Result<BakeSource> check_source(Result<SourceImage> image, const ConeCommandOptions& given, StageClock& clock) {
     if (!image) return tl::unexpected(image.error());
     const Result<HeightOptions> options = with_no_data(given.height, *image, given.input);
     if (!options) return tl::unexpected(options.error());
@@ -35,11 +34,22 @@ Result<BakeSource> read_source(const ConeCommandOptions& given, StageClock& cloc
         alpha = std::move(*read);
     }
     Result<CheckedHeight> height = clock.time("height", [&] {
-        return make_height_field(image->plane, image->is_integer, *options, given.input, std::move(alpha.holes));
+        return make_height_field(std::move(image->plane), image->is_integer, *options, given.input, std::move(alpha.holes));
     });
     if (!height) return tl::unexpected(height.error());
     image->plane = {};
     return BakeSource{std::move(*image), std::move(alpha.pixel_hash), height->report, std::move(height->field)};
+}
+
+} // namespace
+
+Result<BakeSource> read_source(const ConeCommandOptions& given, StageClock& clock) {
+    return check_source(clock.time("read", [&] { return read_image(given.input, given.read); }), given, clock);
+}
+
+Result<BakeSource> read_source_into(std::pmr::memory_resource& storage, const ConeCommandOptions& given, StageClock& clock) {
+    assert(given.alpha.from.empty());
+    return check_source(clock.time("read", [&] { return read_image_into(storage, given.input, given.read); }), given, clock);
 }
 
 Result<StoredHeight> read_stored_height(const ConeCommandOptions& given, BitDepth bits, StageClock& clock) {

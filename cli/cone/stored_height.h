@@ -6,6 +6,7 @@
 #include "cli/stage_clock.h"
 #include "formats/read_image.h"
 
+#include <memory_resource>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,9 @@ struct BakeSource {
 /// Times the stages "read", "alpha" (if there is one) and "height".
 /// Errors: those of read_image, read_alpha, make_height_field; usage (a --no-data that the file cannot hold).
 Result<BakeSource> read_source(const ConeCommandOptions& given, StageClock& clock);
+
+/// The same with the heights in `storage`, and no memory that grows with them; without an alpha.
+Result<BakeSource> read_source_into(std::pmr::memory_resource& storage, const ConeCommandOptions& given, StageClock& clock);
 
 /// The stored surface, and where it comes from.
 struct StoredHeight {

@@ -16,8 +16,6 @@
 
 namespace reliefbake::worker {
 
-namespace {
-
 using nlohmann::json;
 
 OIIO::ImageSpec spec_of(const json& request) {
@@ -33,6 +31,8 @@ OIIO::ImageSpec spec_of(const json& request) {
     }
     return spec;
 }
+
+namespace {
 
 /// Level 0 and those of the request's mips.
 std::vector<OIIO::ImageSpec> level_specs(const json& request) {

@@ -49,10 +49,10 @@ void limit_process() {
     ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
 }
 
-void limit_request(std::uint64_t memory, std::uint64_t cpu_seconds) {
+void limit_request(std::uint64_t memory, std::uint64_t cpu_seconds, std::uint64_t file_bytes) {
     if (address_space_means_memory) set_soft_limit(RLIMIT_AS, address_space() + memory);
     set_soft_limit(RLIMIT_CPU, used_cpu_seconds() + cpu_seconds);
-    set_soft_limit(RLIMIT_FSIZE, memory);
+    set_soft_limit(RLIMIT_FSIZE, file_bytes);
 }
 
 } // namespace reliefbake::worker

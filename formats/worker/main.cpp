@@ -7,9 +7,11 @@
 #include "formats/worker/encoder.h"
 #include "formats/worker/leave_with_tool.h"
 #include "formats/worker/limits.h"
+#include "formats/worker/row_encoder.h"
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -34,15 +36,19 @@ class Conversation {
     Answer answer(Message& request) {
         const std::string what = request.body.at("do").get<std::string>();
         if (what == "next") return next();
-        limit_request(request.body.at("memory").get<std::uint64_t>(), request.body.at("cpu").get<std::uint64_t>());
+        const std::uint64_t memory = request.body.at("memory").get<std::uint64_t>();
+        limit_request(memory, request.body.at("cpu").get<std::uint64_t>(), std::max(memory, unsigned_member(request.body, "file")));
         if (what == "open") return open(request);
         if (what == "read") return read(request);
         if (what == "encode") return encode_to_memory(request);
+        if (what == "encode_rows") return encode_rows(request);
+        if (what == "rows") return take_rows(request);
         throw Refusal("the helper does not know the request " + what);
     }
 
     void forget() {
         decoder_.reset();
+        rows_.reset();
         memory_.reset();
         file_.reset();
     }
@@ -81,6 +87,19 @@ class Conversation {
         return {{{"bytes", file.size()}}, memory_->fd()};
     }
 
+    Answer encode_rows(Message& request) {
+        forget();
+        rows_.emplace(request.body, std::move(request.fd));
+        show(rows_->row_bytes() * request.body.at("block").get<std::uint64_t>());
+        return {{{"bytes", memory_->bytes().size()}}, memory_->fd()};
+    }
+
+    Answer take_rows(const Message& request) {
+        if (!rows_ || !memory_) throw Refusal("no file is being written");
+        rows_->write(request.body.at("rows").get<int>(), memory_->bytes());
+        return {json::object()};
+    }
+
     void show(std::uint64_t bytes) {
         memory_ = SharedMemory::create(bytes);
         if (!memory_) throw std::bad_alloc();
@@ -88,6 +107,7 @@ class Conversation {
 
     UniqueFd file_;
     std::optional<Decoder> decoder_;
+    std::optional<RowEncoder> rows_;
     std::optional<SharedMemory> memory_;
 };
 
