@@ -30,7 +30,7 @@ std::string in_mib(std::uint64_t bytes) { return std::to_string((bytes + mib - 1
 
 } // namespace
 
-std::uint64_t in_core_bytes(std::uint64_t texels, std::uint64_t sample_bytes) { return 320 * mib + texels * (26 + 3 * sample_bytes); }
+std::uint64_t in_core_bytes(std::uint64_t texels, std::uint64_t sample_bytes) { return 320 * mib + texels * (30 + 3 * sample_bytes); }
 
 Result<MemoryPlan> plan_memory(int width, int height, std::uint64_t sample_bytes, std::uint64_t ceiling, const char* name) {
     const std::uint64_t texels = std::uint64_t(width) * std::uint64_t(height), heights = texels * sizeof(float) + 4 * MappedStorage::array_step;

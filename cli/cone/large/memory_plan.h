@@ -9,7 +9,7 @@ namespace reliefbake {
 
 /// What a bake in core keeps at its worst, its helper process included, in bytes; `sample_bytes` are those of one pixel of the map.
 ///
-///     | 320 MiB + texels (26 + 3 sample_bytes) |
+///     | 320 MiB + texels (30 + 3 sample_bytes) |
 ///
 std::uint64_t in_core_bytes(std::uint64_t texels, std::uint64_t sample_bytes);
 
