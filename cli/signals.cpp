@@ -1,9 +1,11 @@
 #include "cli/signals.h"
 
+#include "bake/error.h"
 #include "cli/stage_clock.h"
 #include "formats/atomic_file.h"
 
 #include <csignal>
+#include <string_view>
 #include <unistd.h>
 
 namespace reliefbake {
@@ -17,6 +19,15 @@ void clean_up_and_exit(int signal) {
     _exit(128 + signal);
 }
 
+/// What is mapped can no longer be read: working space on a disk that has failed (formats/mapped_storage).
+void tell_lost_space_and_exit(int) {
+    constexpr std::string_view words = "reliefbake: the working space on the disk cannot be read or written any more; nothing was left behind\n";
+    remove_temporaries_on_signal();
+    erase_progress_on_signal();
+    (void)!::write(STDERR_FILENO, words.data(), words.size());
+    _exit(int(ErrorCode::write_failed));
+}
+
 } // namespace
 
 void leave_no_temporaries_when_interrupted() noexcept {
@@ -25,6 +36,8 @@ void leave_no_temporaries_when_interrupted() noexcept {
     sigfillset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    action.sa_handler = tell_lost_space_and_exit;
+    sigaction(SIGBUS, &action, nullptr);
 }
 
 } // namespace reliefbake

@@ -67,3 +67,18 @@ TEST_CASE("Every disk that fails leaves the previous file, one line and nothing 
         CHECK(count_strays() == 0);
     }
 }
+
+TEST_CASE("Working space that is lost under a bake ends it with one line, and nothing stays behind") {
+    REQUIRE(run_tool("bench terrain -o long.tif --width 4096 --height 2048").status == 0);
+    // The heights' nameless file, cut off as a failing disk would.
+    const std::string script = "cd '" + work_folder().string() + "' || exit; '" + RELIEFBAKE_BINARY +
+                               "' cone long.tif -o lost.band --rows 0:2048 --threads 1 --tolerance 0 --quiet 2>stderr & tool=$!; sleep 1; "
+                               "for fd in /proc/$tool/fd/*; do case $(readlink $fd) in *'(deleted)') : >$fd;; esac; done; wait $tool";
+    CHECK(shell_status(std::system(script.c_str())) == 74);
+    const std::string words = bytes_of(work_folder() / "stderr");
+    CAPTURE(words);
+    CHECK(words.find("working space") != std::string::npos);
+    CHECK(std::count(words.begin(), words.end(), '\n') == 1);
+    CHECK_FALSE(fs::exists(work_folder() / "lost.band"));
+    CHECK(count_strays() == 0);
+}
