@@ -50,14 +50,14 @@ json chosen_json(const AdviceReport& report, const std::optional<std::size_t>& i
     return {{"id", id_of(trial.candidate)}, {"trial", *index}, {"method", report.advice.measured[*index].method->word}, {"bake", bake_command_text(trial.candidate.map)}, {"march", march_text(trial.candidate.march)}};
 }
 
-/// The least excess among a method's trials, on the whole where it got there.
+/// The least excess among a method's trials, proven where it got there.
 std::optional<std::size_t> best_of(const AdviceReport& report, const Method& method) {
     std::optional<std::size_t> best;
     for (std::size_t k = 0; k < report.advice.trials.size(); ++k) {
         const Advice::Measured& measured = report.advice.measured[k];
         if (measured.method != &method) continue;
         const auto rank = [&](std::size_t place) { return excess_of(report.advice.trials[place].figures, report.budget); };
-        const bool farther = best && (measured.whole == report.advice.measured[*best].whole ? rank(k) >= rank(*best) : !measured.whole);
+        const bool farther = best && (measured.proven == report.advice.measured[*best].proven ? rank(k) >= rank(*best) : !measured.proven);
         if (!farther) best = k;
     }
     return best;
@@ -73,9 +73,10 @@ double fewest_bytes(const std::vector<const Way*>& ways, const Method& method) {
 std::vector<std::string> left_out(const AdviceReport& report, const Method& method) {
     std::vector<std::string> reasons;
     std::string lost;
-    for (const Advice::Probed& probed : report.advice.surfaces)
-        if (probed.given_up && std::any_of(report.advice.given_up.begin(), report.advice.given_up.end(), [&](const Way* way) { return way->method == &method && surface_of(way->marches.front()) == probed.surface; }))
-            lost += (lost.empty() ? "" : ", ") + surface_text(probed.surface);
+    for (const Advice::Probed& probed : report.advice.surfaces) {
+        const auto on_it = [&](const Way& way) { return way.method == &method && surface_of(way.marches.front()) == probed.surface; };
+        if (probed.given_up && std::any_of(report.plan.ways.begin(), report.plan.ways.end(), on_it)) lost += (lost.empty() ? "" : ", ") + surface_text(probed.surface);
+    }
     if (!lost.empty()) reasons.push_back("given up with its surface: " + lost);
     if (const double bytes = fewest_bytes(report.advice.untried, method); bytes > 0) reasons.push_back(format("dearer and not measured from %.3g bytes a texel on", bytes));
     std::vector<const Way*> too_large;
@@ -84,17 +85,18 @@ std::vector<std::string> left_out(const AdviceReport& report, const Method& meth
     return reasons;
 }
 
+bool is_given_up(const AdviceReport& report, const StoredSurface& surface) {
+    return std::any_of(report.advice.surfaces.begin(), report.advice.surfaces.end(), [&](const Advice::Probed& probed) { return probed.given_up && probed.surface == surface; });
+}
+
 /// Why a method is neither the answer nor the runner-up.
 std::string why_not(const AdviceReport& report, const Method& method) {
-    for (std::size_t k = 0; k < report.advice.trials.size(); ++k)
-        if (report.advice.measured[k].method == &method && meets(report.advice.trials[k].figures, report.budget)) {
-            const std::string where = report.advice.measured[k].whole ? "meets it" : "meets it on the crop";
-            return where + ", dearer: " + cost_text(report.advice.trials[k].figures);
-        }
     std::vector<std::string> reasons = left_out(report, method);
     if (const std::optional<std::size_t> best = best_of(report, method)) {
         const Trial& trial = report.advice.trials[*best];
-        reasons.insert(reasons.begin(), faults_text(trial.figures, report.budget) + (report.advice.measured[*best].whole ? ": " : ", on the crop: ") + id_of(trial.candidate));
+        const std::string faults = faults_text(trial.figures, report.budget), where = report.advice.measured[*best].proven ? "" : ", screened";
+        if (faults.empty() && !is_given_up(report, surface_of(trial.candidate))) return "meets it" + where + ", dearer: " + cost_text(trial.figures);
+        reasons.insert(reasons.begin(), (faults.empty() ? "meets it" : faults) + where + ": " + id_of(trial.candidate));
     }
     std::string text;
     for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
@@ -105,7 +107,7 @@ std::string surfaces_text(const AdviceReport& report) {
     std::string text;
     for (const Advice::Probed& probed : report.advice.surfaces) {
         if (!probed.given_up) continue;
-        text += "given up  " + surface_text(probed.surface) + ": an exact march" + (probed.whole ? "" : ", on the crop,") + " misses " + share(probed.figures.missed) + format(", mean error %.2g\n", probed.figures.error_mean);
+        text += "given up  " + surface_text(probed.surface) + ": an exact march" + (probed.proven ? "" : ", screened,") + " misses " + share(probed.figures.missed) + format(", mean error %.2g\n", probed.figures.error_mean);
     }
     return text;
 }
@@ -116,7 +118,7 @@ std::string chosen_text(const AdviceReport& report, const char* title, std::size
     std::string text = format("%-10s", title) + std::string(report.advice.measured[index].method->title) + ", " + cost_text(f) + "\n";
     text += "  bake    reliefbake " + bake_command_text(trial.candidate.map) + "\n";
     text += "  follow  " + march_text(trial.candidate.march) + "\n";
-    text += "  whole   missed " + share(f.missed) + ", early " + share(f.early) + format(", mean error %.2g, %.0f steps at most, of %llu rays\n", f.error_mean, f.steps_max, static_cast<unsigned long long>(f.rays));
+    text += "  proven  missed " + share(f.missed) + ", early " + share(f.early) + format(", mean error %.2g, %.0f steps at most, of %llu rays\n", f.error_mean, f.steps_max, static_cast<unsigned long long>(f.rays));
     return text;
 }
 
@@ -124,9 +126,9 @@ std::string counts_text(const AdviceReport& report) {
     std::size_t candidates = 0, untried = 0;
     for (const Way& way : report.plan.ways) candidates += way.marches.size();
     for (const Way* way : report.advice.untried) untried += way->marches.size();
-    std::string text = "measured  " + std::to_string(report.advice.count(true)) + " on the whole";
-    if (report.crop > 0) text += ", " + std::to_string(report.advice.count(false)) + format(" on a crop of %d x %d", report.crop, report.crop);
-    return text + ", of " + std::to_string(candidates) + " candidates; " + std::to_string(untried) + " are dearer than the runner-up\n";
+    std::string text = "measured  " + std::to_string(report.advice.count(false)) + " of " + std::to_string(candidates) + " candidates screened";
+    if (report.crop > 0) text += format(" on a crop of %d x %d", report.crop, report.crop);
+    return text + ", " + std::to_string(report.advice.count(true)) + " proven on the whole; " + std::to_string(untried) + " are dearer than the runner-up\n";
 }
 
 } // namespace
@@ -144,12 +146,12 @@ json advice_json(const AdviceReport& report) {
     json trials = json::array();
     for (std::size_t k = 0; k < report.advice.trials.size(); ++k) {
         const Trial& trial = report.advice.trials[k];
-        trials.push_back({{"method", report.advice.measured[k].method->word}, {"on", report.advice.measured[k].whole ? "whole" : "crop"}, {"candidate", to_json(trial.candidate)},
+        trials.push_back({{"method", report.advice.measured[k].method->word}, {"stage", report.advice.measured[k].proven ? "proof" : "screen"}, {"candidate", to_json(trial.candidate)},
                           {"figures", to_json(trial.figures)}, {"faults", faults_json(trial.figures, report.budget)}});
     }
     json surfaces = json::array();
     for (const Advice::Probed& probed : report.advice.surfaces)
-        surfaces.push_back({{"bits", word_of(bits_words, probed.surface.bits)}, {"resolution", std::ldexp(1.0, -probed.surface.level)}, {"on", probed.whole ? "whole" : "crop"},
+        surfaces.push_back({{"bits", word_of(bits_words, probed.surface.bits)}, {"resolution", std::ldexp(1.0, -probed.surface.level)}, {"stage", probed.proven ? "proof" : "screen"},
                             {"missed", probed.figures.missed}, {"error_mean", probed.figures.error_mean}, {"given_up", probed.given_up}});
     std::size_t candidates = 0;
     for (const Way& way : report.plan.ways) candidates += way.marches.size();
@@ -158,7 +160,7 @@ json advice_json(const AdviceReport& report) {
     if (!report.applied.empty()) applied = report.applied;
     const Choice& choice = report.advice.choice;
     return {{"version", version()}, {"input", report.input}, {"width", report.width}, {"height", report.height}, {"depth_scale", report.depth_scale}, {"target", word_of_target(report.target)},
-            {"budget", budget_json(report)}, {"missed_depth", report.judge.missed_depth}, {"crop", crop}, {"met", choice.answer.has_value()}, {"answer", chosen_json(report, choice.answer)},
+            {"budget", budget_json(report)}, {"missed_depth", report.judge.missed_depth}, {"crop", crop}, {"rays", {{"screen", report.screen_rays}, {"proof", report.judge.rays}}}, {"met", choice.answer.has_value()}, {"answer", chosen_json(report, choice.answer)},
             {"runner_up", chosen_json(report, choice.runner_up)}, {"nearest", chosen_json(report, choice.nearest)}, {"candidates", candidates}, {"surfaces", surfaces}, {"trials", trials}, {"applied", applied}};
 }
 

@@ -16,7 +16,8 @@ struct AdviceReport {
     ShaderTarget target = ShaderTarget::glsl;
     Budget budget;
     JudgeOptions judge;
-    int crop = 0;           ///< side of the square that candidates were first measured on; 0: all on the whole
+    int crop = 0;           ///< side of the square that candidates were screened on; 0: the whole
+    int screen_rays = 0;    ///< asked for of the screen; judge.rays of proofs
     AdvicePlan plan;
     Advice advice;          ///< of plan.ways
     std::string applied;    ///< file that was baked; empty: none

@@ -18,13 +18,13 @@ class Search {
         if (!ways.empty()) finest_ = surface_of(std::max_element(ways.begin(), ways.end(), finer)->marches.front());
     }
 
-    bool is_done() const { return confirmed_.size() >= ways_wanted; }
+    bool is_done() const { return answers_.size() >= ways_wanted; }
 
     /// The ways from `begin` on that cost equal bytes.
     Result<void> try_tier(std::span<const Way> tier) {
         std::vector<std::size_t> near;
         for (const Way& way : tier) {
-            const Result<bool> fits = surface_fits(surface_of(way.marches.front()));
+            const Result<bool> fits = surface_fits(surface_of(way.marches.front()), false);
             if (!fits) return tl::unexpected(fits.error());
             if (!*fits) {
                 advice_.given_up.push_back(&way);
@@ -35,33 +35,36 @@ class Search {
         std::sort(near.begin(), near.end(), [&](std::size_t a, std::size_t b) { return is_cheaper(advice_.trials[a], advice_.trials[b]); });
         for (const std::size_t k : near) {
             if (is_done()) return {};
-            if (Result<void> tried = confirm(k); !tried) return tried;
+            const Result<bool> fits = surface_fits(surface_of(advice_.trials[k].candidate), true);
+            if (!fits) return tl::unexpected(fits.error());
+            if (!*fits) continue;
+            if (Result<void> tried = prove(k); !tried) return tried;
         }
         return {};
     }
 
-    /// Of what was measured on the crop alone, the nearest.
+    /// Of what was screened alone, the nearest.
     Result<void> try_nearest() {
         std::vector<std::size_t> rest;
         for (std::size_t k = 0; k < advice_.trials.size(); ++k)
-            if (!advice_.measured[k].whole && !is_on_whole(advice_.trials[k].candidate)) rest.push_back(k);
+            if (!advice_.measured[k].proven && !was_proven(advice_.trials[k].candidate)) rest.push_back(k);
         std::stable_sort(rest.begin(), rest.end(), [&](std::size_t a, std::size_t b) {
             return excess_of(advice_.trials[a].figures, budget_) < excess_of(advice_.trials[b].figures, budget_);
         });
         for (std::size_t k = 0; k < std::min(rest.size(), last_chances); ++k)
-            if (Result<void> tried = confirm(rest[k]); !tried) return tried;
+            if (Result<void> tried = prove(rest[k]); !tried) return tried;
         return {};
     }
 
-    bool found_none() const { return confirmed_.empty(); }
+    bool found_none() const { return answers_.empty(); }
 
-    /// The choice among the figures of the whole.
+    /// The choice among what was proven.
     Advice finish() {
-        std::vector<Trial> whole;
+        std::vector<Trial> proven;
         std::vector<std::size_t> places;
         for (std::size_t k = 0; k < advice_.trials.size(); ++k)
-            if (advice_.measured[k].whole) whole.push_back(advice_.trials[k]), places.push_back(k);
-        advice_.choice = choose(whole, budget_);
+            if (advice_.measured[k].proven) proven.push_back(advice_.trials[k]), places.push_back(k);
+        advice_.choice = choose(proven, budget_);
         for (std::optional<std::size_t>* index : {&advice_.choice.answer, &advice_.choice.runner_up, &advice_.choice.nearest})
             if (*index) *index = places[**index];
         return std::move(advice_);
@@ -70,72 +73,66 @@ class Search {
     void leave(const Way& way) { advice_.untried.push_back(&way); }
 
   private:
-    Result<bool> surface_fits(const StoredSurface& surface) {
+    Result<bool> surface_fits(const StoredSurface& surface, bool proven) {
         if (surface == finest_) return true;
         for (const Advice::Probed& known : advice_.surfaces)
-            if (known.surface == surface) return !known.given_up;
-        const bool crops = bool(measurers_.on_crop);
-        const Result<Measurement> figures = crops ? measurers_.on_crop(probe_of(surface)) : measurers_.on_whole(probe_of(surface));
+            if (known.surface == surface && known.proven == proven) return !known.given_up;
+        const Result<Measurement> figures = (proven ? measurers_.prove : measurers_.screen)(probe_of(surface));
         if (!figures) return tl::unexpected(figures.error());
         Measurement lost = *figures; // neither its bytes nor its steps are those of the ways
         lost.bytes_per_texel = lost.steps_max = 0;
         const bool given_up = excess_of(lost, budget_) > surface_slack;
-        advice_.surfaces.push_back({surface, !crops, *figures, given_up});
+        advice_.surfaces.push_back({surface, proven, *figures, given_up});
         return !given_up;
     }
 
     /// Adds the indices of those near the budget.
     Result<void> screen(const Way& way, std::vector<std::size_t>& near) {
-        const bool crops = bool(measurers_.on_crop);
         for (const Candidate& candidate : way.marches) {
-            const Result<std::size_t> measured = measure(candidate, way.method, !crops);
+            const Result<std::size_t> measured = measure(candidate, way.method, false);
             if (!measured) return tl::unexpected(measured.error());
-            if (excess_of(advice_.trials[*measured].figures, budget_) > (crops ? crop_slack : 1)) break;
+            if (excess_of(advice_.trials[*measured].figures, budget_) > screen_slack) break;
             near.push_back(*measured);
         }
         return {};
     }
 
-    /// Measures trial k on the whole, unless the same map and technique meets the budget already with a cheaper march.
-    Result<void> confirm(std::size_t k) {
+    /// Proves trial k, unless the same map and technique meets the budget already with a cheaper march.
+    Result<void> prove(std::size_t k) {
         const Candidate candidate = advice_.trials[k].candidate;
         const auto same_way = [&](const Candidate& other) { return is_same_way(candidate, other); };
-        if (std::any_of(confirmed_.begin(), confirmed_.end(), same_way)) return {};
-        std::size_t place = k;
-        if (!advice_.measured[k].whole) {
-            const Result<std::size_t> measured = measure(candidate, advice_.measured[k].method, true);
-            if (!measured) return tl::unexpected(measured.error());
-            place = *measured;
-        }
-        if (meets(advice_.trials[place].figures, budget_)) confirmed_.push_back(candidate);
+        if (std::any_of(answers_.begin(), answers_.end(), same_way)) return {};
+        const Result<std::size_t> measured = measure(candidate, advice_.measured[k].method, true);
+        if (!measured) return tl::unexpected(measured.error());
+        if (meets(advice_.trials[*measured].figures, budget_)) answers_.push_back(candidate);
         return {};
     }
 
-    Result<std::size_t> measure(const Candidate& candidate, const Method* method, bool whole) {
-        Result<Measurement> figures = whole ? measurers_.on_whole(candidate) : measurers_.on_crop(candidate);
+    Result<std::size_t> measure(const Candidate& candidate, const Method* method, bool proven) {
+        Result<Measurement> figures = (proven ? measurers_.prove : measurers_.screen)(candidate);
         if (!figures) return tl::unexpected(figures.error());
         advice_.trials.push_back({candidate, *figures});
-        advice_.measured.push_back({method, whole});
+        advice_.measured.push_back({method, proven});
         return advice_.trials.size() - 1;
     }
 
-    bool is_on_whole(const Candidate& candidate) const {
+    bool was_proven(const Candidate& candidate) const {
         for (std::size_t k = 0; k < advice_.trials.size(); ++k)
-            if (advice_.measured[k].whole && advice_.trials[k].candidate == candidate) return true;
+            if (advice_.measured[k].proven && advice_.trials[k].candidate == candidate) return true;
         return false;
     }
 
     const Budget& budget_;
     const Measurers& measurers_;
     Advice advice_;
-    std::vector<Candidate> confirmed_;
+    std::vector<Candidate> answers_; ///< proven to meet the budget
     std::optional<StoredSurface> finest_;
 };
 
 } // namespace
 
-std::size_t Advice::count(bool whole) const {
-    return std::size_t(std::count_if(measured.begin(), measured.end(), [&](const Measured& one) { return one.whole == whole; }));
+std::size_t Advice::count(bool proven) const {
+    return std::size_t(std::count_if(measured.begin(), measured.end(), [&](const Measured& one) { return one.proven == proven; }));
 }
 
 Result<Advice> search_advice(const std::vector<Way>& ways, const Budget& budget, const Measurers& measurers) {

@@ -14,7 +14,8 @@
 namespace reliefbake {
 namespace {
 
-constexpr int usual_rays = 28000;
+constexpr int usual_rays = 60000;
+constexpr int screened_part = 4; ///< the screen has so few of the rays
 
 const Words<ShaderTarget> target_words = {{"glsl", ShaderTarget::glsl}, {"glsl-es", ShaderTarget::glsl_es}, {"hlsl", ShaderTarget::hlsl}};
 
@@ -45,8 +46,8 @@ void AdviseCommand::add_to(CLI::App& app) {
     add_input_options(app, given_);
     add_budget(app);
     app.option_defaults()->group("Measuring");
-    app.add_option("--rays", judge_.rays, "Rays over all views, about (default 28000)")->check(CLI::Range(700, 10000000));
-    app.add_option("--crop", crop_, "Side of the square in the middle of a larger map that candidates are first measured on; 0: on the whole at once (default 128)")->check(CLI::Range(0, 16384));
+    app.add_option("--rays", judge_.rays, "Rays of a proof, over all views, about; the screen has a quarter (default 60000)")->check(CLI::Range(2800, 10000000));
+    app.add_option("--crop", crop_, "Side of the square in the middle of a larger map that candidates are screened on (default 128)")->check(CLI::Range(16, 16384));
     add_thread_option(app, given_.cone.threads);
     app.option_defaults()->group("Result");
     CLI::Option* apply = app.add_flag("--apply", apply_, "Bake the answer, exactly as measured");
@@ -62,57 +63,58 @@ Result<void> AdviseCommand::check_options() {
     depth_scale_ = depth_scale_of(given_);
     if (budget_.max_missed > 0 && budget_.max_missed * judge_.rays < 1)
         return fail(ErrorCode::usage, "--max-missed: " + std::to_string(judge_.rays) + " rays cannot tell so small a share; give 0, or more --rays");
-    if (crop_ > 0 && crop_ < 16) return fail(ErrorCode::usage, "--crop: expected 0, or 16 and more");
     return validate_depth_scale(depth_scale_).and_then([&] { return apply_ ? check_apply(given_.input, output_) : Result<void>(); });
 }
 
-Result<Measurement> AdviseCommand::measure_whole(Bench& bench, const Candidate& candidate) {
-    if (!bench.whole_meter) {
+Result<Measurement> AdviseCommand::prove(Bench& bench, const Candidate& candidate) {
+    if (!bench.proof) {
         Result<CandidateMeter> made = CandidateMeter::create(bench.source, depth_scale_, judge_);
         if (!made) return tl::unexpected(made.error());
-        bench.whole_meter.emplace(std::move(*made));
+        bench.proof.emplace(std::move(*made));
     }
-    return bench.whole_meter->measure(candidate);
+    return bench.proof->measure(candidate);
 }
 
-Result<Measurement> AdviseCommand::measure_crop(Bench& bench, const Candidate& candidate) {
-    const double widths = double(bench.source.field->grid().width) / (2 * crop_);
-    if (!bench.tile_meter) {
-        Result<HeightField> tile = sample_tile(*bench.source.field, crop_, given_.input);
-        if (!tile) return tl::unexpected(tile.error());
-        bench.tile = BakeSource{bench.source.image, "", bench.source.report, std::move(*tile)};
-        Result<CandidateMeter> made = CandidateMeter::create(*bench.tile, depth_scale_ * widths, judge_);
+Result<Measurement> AdviseCommand::screen(Bench& bench, const Candidate& candidate, const AdviceReport& report) {
+    const double widths = report.crop > 0 ? double(report.width) / (2 * report.crop) : 1;
+    if (!bench.screen) {
+        if (report.crop > 0) {
+            Result<HeightField> tile = sample_tile(*bench.source.field, report.crop, given_.input);
+            if (!tile) return tl::unexpected(tile.error());
+            bench.tile = BakeSource{bench.source.image, "", bench.source.report, std::move(*tile)};
+        }
+        JudgeOptions few = judge_;
+        few.rays = report.screen_rays;
+        Result<CandidateMeter> made = CandidateMeter::create(bench.tile ? *bench.tile : bench.source, depth_scale_ * widths, few);
         if (!made) return tl::unexpected(made.error());
-        bench.tile_meter.emplace(std::move(*made));
+        bench.screen.emplace(std::move(*made));
     }
-    return bench.tile_meter->measure(on_tile(candidate, widths));
+    Result<Measurement> figures = bench.screen->measure(on_tile(candidate, widths));
+    if (!figures) return figures;
+    figures->bytes_per_texel = source_bytes_per_texel(candidate, report.width, report.height);
+    figures->bytes = figures->bytes_per_texel * report.width * report.height;
+    return figures;
 }
 
 Result<void> AdviseCommand::find(Bench& bench, AdviceReport& report) {
     const TexelGrid& grid = bench.source.field->grid();
     report.width = grid.width, report.height = grid.height;
-    const bool large = crop_ > 0 && std::min(grid.width, grid.height) > crop_ && double(grid.width) * grid.height > 4.0 * crop_ * crop_;
+    const bool large = std::min(grid.width, grid.height) > crop_ && double(grid.width) * grid.height > 4.0 * crop_ * crop_;
     report.crop = large ? crop_ : 0;
+    report.screen_rays = judge_.rays / screened_part;
     report.plan = plan_advice(grid.width, grid.height, budget_, target_, [&](const Representation& map) { return !apply_ || can_hold(output_, map); });
 
     ProgressLine progress(true);
     std::size_t number = 0;
-    const auto told = [&](const Candidate& candidate, const char* where, auto measure) -> Result<Measurement> {
-        progress.set_stage(std::to_string(++number) + ", on the " + where + ": " + id_of(candidate));
-        Result<Measurement> figures = measure();
+    const auto told = [&](const Candidate& candidate, const char* stage, auto measure) -> Result<Measurement> {
+        progress.set_stage(std::to_string(++number) + ", " + stage + " " + id_of(candidate));
+        const Result<Measurement> figures = measure();
         if (!figures) return fail(figures.error().code, given_.input + ": " + id_of(candidate) + ": " + figures.error().message);
         return figures;
     };
     Measurers measurers;
-    measurers.on_whole = [&](const Candidate& candidate) { return told(candidate, "whole", [&] { return measure_whole(bench, candidate); }); };
-    if (large)
-        measurers.on_crop = [&](const Candidate& candidate) {
-            return told(candidate, "crop", [&] { return measure_crop(bench, candidate); }).map([&](Measurement figures) {
-                figures.bytes_per_texel = source_bytes_per_texel(candidate, grid.width, grid.height);
-                figures.bytes = figures.bytes_per_texel * grid.width * grid.height;
-                return figures;
-            });
-        };
+    measurers.screen = [&](const Candidate& candidate) { return told(candidate, "screening", [&] { return screen(bench, candidate, report); }); };
+    measurers.prove = [&](const Candidate& candidate) { return told(candidate, "proving", [&] { return prove(bench, candidate); }); };
     Result<Advice> advice = search_advice(report.plan.ways, budget_, measurers);
     if (!advice) return tl::unexpected(advice.error());
     report.advice = std::move(*advice);
@@ -121,7 +123,7 @@ Result<void> AdviseCommand::find(Bench& bench, AdviceReport& report) {
 
 Result<void> AdviseCommand::apply(Bench& bench, AdviceReport& report) {
     const Trial& answer = report.advice.trials[*report.advice.choice.answer];
-    const auto measure = [&](const ReliefMap& map) { return bench.whole_meter->measure_baked(map, answer.candidate); };
+    const auto measure = [&](const ReliefMap& map) { return bench.proof->measure_baked(map, answer.candidate); };
     if (Result<void> applied = apply_advice(given_, output_, answer, measure); !applied) return applied;
     report.applied = output_;
     return {};

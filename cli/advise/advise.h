@@ -20,14 +20,14 @@ class AdviseCommand : public Command {
     /// The source, and who measures on it; made when first needed.
     struct Bench {
         BakeSource source;
-        std::optional<BakeSource> tile;
-        std::optional<CandidateMeter> whole_meter, tile_meter;
+        std::optional<BakeSource> tile; ///< of a large one, for the screen
+        std::optional<CandidateMeter> proof, screen;
     };
 
     void add_budget(CLI::App& app);
     Result<void> check_options();
-    Result<Measurement> measure_whole(Bench& bench, const Candidate& candidate);
-    Result<Measurement> measure_crop(Bench& bench, const Candidate& candidate);
+    Result<Measurement> prove(Bench& bench, const Candidate& candidate);
+    Result<Measurement> screen(Bench& bench, const Candidate& candidate, const AdviceReport& report);
     Result<void> find(Bench& bench, AdviceReport& report);
     Result<void> apply(Bench& bench, AdviceReport& report);
 

@@ -8,6 +8,7 @@
 namespace reliefbake {
 namespace {
 
+constexpr double few_rays = 2; ///< by so many one measurement may differ from another
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 void check(std::vector<Fault>& faults, Fault::Limit limit, double found, double allowed, double least) {
@@ -21,8 +22,7 @@ void check(std::vector<Fault>& faults, Fault::Limit limit, double found, double 
 std::vector<Fault> faults_of(const Measurement& figures, const Budget& budget) {
     std::vector<Fault> faults;
     if (figures.rays == 0) return {{Fault::Limit::rays, 0, 1, endless}};
-    const double half_a_ray = 0.5 / double(figures.rays);
-    check(faults, Fault::Limit::missed, figures.missed, budget.max_missed, half_a_ray);
+    check(faults, Fault::Limit::missed, figures.missed, budget.max_missed, few_rays / double(figures.rays));
     check(faults, Fault::Limit::error, figures.error_mean, budget.max_error, 0);
     check(faults, Fault::Limit::steps, figures.steps_max, budget.steps, 0);
     check(faults, Fault::Limit::bytes, figures.bytes_per_texel, budget.bytes_per_texel, 0);

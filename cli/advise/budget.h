@@ -21,7 +21,7 @@ struct Fault {
     enum class Limit { rays, missed, error, steps, bytes };
     Limit limit;
     double found, allowed; ///< rays: how many there were, and one
-    double excess;         ///< found / allowed, above 1. Where none may be missed, one missed ray counts 2
+    double excess;         ///< found / allowed; of missed rays as if two were allowed at least
 };
 
 /// All limits that the figures break; a figure that is no number breaks its limit, and figures of no ray prove nothing.
@@ -29,7 +29,7 @@ std::vector<Fault> faults_of(const Measurement& figures, const Budget& budget);
 
 inline bool meets(const Measurement& figures, const Budget& budget) { return faults_of(figures, budget).empty(); }
 
-/// Largest excess of a fault; 1 where there is none.
+/// Largest excess of a fault, at least 1.
 double excess_of(const Measurement& figures, const Budget& budget);
 
 /// E.g. "missed 3.1 % > 1 %".

@@ -58,10 +58,10 @@ Measurement figures_of(const Candidate& candidate, unsigned seed, double harder,
     return f;
 }
 
-Advice searched(const std::vector<Way>& ways, const Budget& budget, unsigned seed, bool crops, double harder_on_whole = 1, int level_lost = 9) {
+Advice searched(const std::vector<Way>& ways, const Budget& budget, unsigned seed, double harder_to_prove = 1, int level_lost = 9) {
     Measurers measurers;
-    measurers.on_whole = [=](const Candidate& candidate) -> Result<Measurement> { return figures_of(candidate, seed, harder_on_whole, level_lost); };
-    if (crops) measurers.on_crop = [=](const Candidate& candidate) -> Result<Measurement> { return figures_of(candidate, seed, 1, level_lost); };
+    measurers.screen = [=](const Candidate& candidate) -> Result<Measurement> { return figures_of(candidate, seed, 1, level_lost); };
+    measurers.prove = [=](const Candidate& candidate) -> Result<Measurement> { return figures_of(candidate, seed, harder_to_prove, level_lost); };
     const Result<Advice> advice = search_advice(ways, budget, measurers);
     REQUIRE(advice);
     return *advice;
@@ -140,32 +140,37 @@ TEST_CASE("figures of no ray, and what is no number, meet nothing") {
     CHECK(excess_of(f, budget_of(0, 1)) == 1);
     f.missed = 0.01; // one ray, where none may be missed
     CHECK_FALSE(meets(f, budget_of(0, 1)));
-    CHECK(excess_of(f, budget_of(0, 1)) == Approx(2));
+    CHECK(excess_of(f, budget_of(0, 1)) == 1);
+    f.missed = 0.06;
+    CHECK(excess_of(f, budget_of(0, 1)) == Approx(3));
+    CHECK(excess_of(f, budget_of(0.04, 1)) == Approx(1.5));
+    f.bytes_per_texel = 8;
+    CHECK(excess_of(f, budget_of(0.04, 1, 64, 2)) == Approx(4));
     f.missed = 0, f.error_mean = std::numeric_limits<double>::quiet_NaN();
     CHECK_FALSE(meets(f, budget_of(1, 1)));
     CHECK(excess_of(f, budget_of(1, 1)) == endless);
 }
 
-TEST_CASE("a search ends with what the whole confirms, whatever the crop says") {
+TEST_CASE("a search ends with what is proven, whatever the screen says") {
     int answered = 0, misled = 0, untried = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
-        const double harder = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 3 : 0.5; // the whole against the crop
+        const double harder = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 3 : 0.5; // the proof against the screen
         const Budget budget = budget_of(0.02 * (seed % 4), 0.002 + 0.001 * (seed % 7), 16 << seed % 3, seed % 2 ? endless : 6);
         const std::vector<Way> ways = plan_of(budget).ways;
-        const Advice advice = searched(ways, budget, seed, seed % 5 > 0, harder);
+        const Advice advice = searched(ways, budget, seed, harder);
         for (const std::optional<std::size_t>& index : {advice.choice.answer, advice.choice.runner_up}) {
             if (!index) continue;
-            CHECK(advice.measured[*index].whole);
+            CHECK(advice.measured[*index].proven);
             CHECK(meets(advice.trials[*index].figures, budget));
         }
         if (advice.choice.nearest) {
-            CHECK(advice.measured[*advice.choice.nearest].whole);
+            CHECK(advice.measured[*advice.choice.nearest].proven);
             CHECK_FALSE(meets(advice.trials[*advice.choice.nearest].figures, budget));
         }
         std::set<std::pair<std::string, bool>> seen;
         for (std::size_t k = 0; k < advice.trials.size(); ++k) {
-            CHECK(seen.emplace(id_of(advice.trials[k].candidate), advice.measured[k].whole).second); // each once
-            misled += !advice.measured[k].whole && meets(advice.trials[k].figures, budget) && !meets(figures_of(advice.trials[k].candidate, seed, harder), budget);
+            CHECK(seen.emplace(id_of(advice.trials[k].candidate), advice.measured[k].proven).second); // each once
+            misled += !advice.measured[k].proven && meets(advice.trials[k].figures, budget) && !meets(figures_of(advice.trials[k].candidate, seed, harder), budget);
         }
         if (advice.choice.answer) {
             for (const Way* way : advice.untried) CHECK(way->bytes_per_texel > advice.trials[*advice.choice.answer].figures.bytes_per_texel);
@@ -178,13 +183,13 @@ TEST_CASE("a search ends with what the whole confirms, whatever the crop says") 
     CHECK((answered > 50 && misled > 50 && untried > 20));
 }
 
-TEST_CASE("where all is measured on the whole, the search finds what measuring everything finds, and a looser budget is never dearer") {
+TEST_CASE("where the screen is right, the search finds what measuring everything finds, and a looser budget is never dearer") {
     for (unsigned seed = 0; seed < 100; ++seed) {
         std::optional<Trial> last;
         for (const double error : {0.001, 0.002, 0.004, 0.008, 0.02}) {
             const Budget budget = budget_of(0.03, error);
             const std::vector<Way> ways = plan_of(budget).ways;
-            const Advice advice = searched(ways, budget, seed, false);
+            const Advice advice = searched(ways, budget, seed);
             std::vector<Trial> all;
             for (const Way& way : ways)
                 for (const Candidate& candidate : way.marches) all.push_back({candidate, figures_of(candidate, seed, 1)});
@@ -200,28 +205,27 @@ TEST_CASE("where all is measured on the whole, the search finds what measuring e
 }
 
 TEST_CASE("a surface that loses too much is measured once and given up, but never the finest") {
-    for (const bool crops : {false, true})
-        for (const int lost : {1, 2, 0}) {
-            const Budget budget = budget_of(0.01, 0.004);
-            const std::vector<Way> ways = plan_of(budget).ways;
-            const Advice advice = searched(ways, budget, 3, crops, 1, lost);
-            std::size_t given_up = 0;
-            for (const Advice::Probed& probed : advice.surfaces) {
-                CHECK(probed.given_up == (probed.surface.level >= lost));
-                CHECK(probed.whole == !crops);
-                given_up += probed.given_up;
-            }
-            CHECK((given_up > 0 && !advice.given_up.empty()));
-            for (const Trial& trial : advice.trials) CHECK((trial.candidate.map.level < lost || surface_of(trial.candidate) == StoredSurface{BitDepth::float32, 0}));
-            CHECK(advice.choice.answer.has_value() == (lost > 0));
-            CHECK(advice.choice.nearest.has_value() == (lost == 0));
+    for (const int lost : {1, 2, 0}) {
+        const Budget budget = budget_of(0.01, 0.004);
+        const std::vector<Way> ways = plan_of(budget).ways;
+        const Advice advice = searched(ways, budget, 3, 1, lost);
+        std::size_t given_up = 0;
+        for (const Advice::Probed& probed : advice.surfaces) {
+            CHECK(probed.given_up == (probed.surface.level >= lost));
+            CHECK((!probed.proven || !probed.given_up)); // the screen saw it
+            given_up += probed.given_up;
         }
+        CHECK((given_up > 0 && !advice.given_up.empty()));
+        for (const Trial& trial : advice.trials) CHECK((trial.candidate.map.level < lost || surface_of(trial.candidate) == StoredSurface{BitDepth::float32, 0}));
+        CHECK(advice.choice.answer.has_value() == (lost > 0));
+        CHECK(advice.choice.nearest.has_value() == (lost == 0));
+    }
 }
 
 TEST_CASE("an error of the measurers ends the search") {
     const Budget budget = budget_of(0, 0.01);
     Measurers measurers;
-    measurers.on_whole = [](const Candidate&) -> Result<Measurement> { return fail(ErrorCode::bad_data, "no"); };
+    measurers.screen = measurers.prove = [](const Candidate&) -> Result<Measurement> { return fail(ErrorCode::bad_data, "no"); };
     const Result<Advice> advice = search_advice(plan_of(budget).ways, budget, measurers);
     REQUIRE_FALSE(advice);
     CHECK(advice.error().code == ErrorCode::bad_data);
