@@ -155,6 +155,7 @@ TEST_CASE("A map that needs more than the ceiling is baked out of core, and the 
     CHECK(large["out_of_core"]["rows"] == json::array({0, 2000}));
     expect_refusal("cone big.tif -o big.exr --memory 300MiB", 5, "need");
     expect_refusal("cone big.tif -o big.png --memory 430MiB", 5, "only .exr and .tif");
+    expect_refusal("cone " + height_map("ambientcg_RoofingTiles009_512.png") + " -o big.exr --memory 300MiB", 5, "only EXR and TIFF files are baked out of core");
 }
 
 TEST_CASE("What bands cannot have is refused, never left out") {

@@ -2,6 +2,7 @@
 
 #include "bake/cone_bands.h"
 #include "cli/output_checks.h"
+#include "formats/decode_session.h"
 #include "formats/join_bands.h"
 #include "formats/map_layout.h"
 #include "formats/map_pixels.h"
@@ -50,6 +51,19 @@ bool is_small(const ConePlan& plan) {
     return error || in_core_bytes(1000 * bytes, pixel_bytes(plan)) <= LargeOptions::default_memory;
 }
 
+/// Of a file that is read whole, when a ceiling was given for it: the sides are known once it is open. Whatever is wrong with the file
+/// is told by who reads it.
+Result<void> check_whole(const ConePlan& plan) {
+    const ConeCommandOptions& given = plan.given;
+    if (!given.large.memory) return {};
+    const Result<DecodeSession> session = DecodeSession::open(given.input, given.read.max_bytes, 1);
+    if (!session) return {};
+    const std::uint64_t texels = std::uint64_t(session->claims().width) * std::uint64_t(session->claims().height), needed = in_core_bytes(texels, pixel_bytes(plan));
+    if (needed <= given.large.ceiling()) return {};
+    return fail(ErrorCode::budget, given.input + ": needs " + std::to_string(needed >> 20) + " MiB, and --memory allows " + std::to_string(given.large.ceiling() >> 20) +
+                                       " MiB; only EXR and TIFF files are baked out of core");
+}
+
 /// The map's file takes rows one after the other.
 Result<void> check_output(const ConePlan& plan, std::uint64_t bytes) {
     return plan.given.large.rows ? Result<void>() : check_streamed_format(plan.given.output, bytes);
@@ -69,7 +83,7 @@ Result<std::optional<MemoryPlan>> plan_bands(const std::vector<ConePlan>& plans)
     if (!sides) {
         // What cannot be looked at in this way is read whole, and refused there if need be.
         if (told) return tl::unexpected(sides.error());
-        return std::optional<MemoryPlan>();
+        return check_whole(plan).map([] { return std::optional<MemoryPlan>(); });
     }
     const std::uint64_t texels = std::uint64_t(sides->width) * std::uint64_t(sides->height), needed = in_core_bytes(texels, pixel_bytes(plan));
     if (!told && needed <= large.ceiling()) return std::optional<MemoryPlan>();
