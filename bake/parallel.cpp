@@ -6,6 +6,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 namespace reliefbake {
 
 int available_threads() {
@@ -20,8 +22,9 @@ void parallel_for(int count, int threads, const std::function<void(int)>& body) 
         for (int i = 0; i < count; ++i) body(i);
         return;
     }
-    // More threads than cores are the caller's choice; without this TBB warns on stderr and refuses.
-    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    // More threads than cores are the caller's choice; without this TBB warns on stderr and refuses. Never fewer than the cores: the
+    // least of all that run at once would hold for all.
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, std::size_t(std::max(threads, available_threads())));
     tbb::task_arena arena(threads);
     arena.execute([&] { tbb::parallel_for(0, count, body); });
 }

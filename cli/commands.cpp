@@ -1,6 +1,7 @@
 #include "cli/command.h"
 
 #include "cli/advise/advise.h"
+#include "cli/batch/batch.h"
 #include "cli/bench/bench_also.h"
 #include "cli/bench/bench_cone.h"
 #include "cli/bench/bench_dynamic.h"
@@ -39,6 +40,7 @@ constexpr CommandEntry all_commands[] = {
     {"shape", "Bake a binary shape into a shape map (gradient, distance, shape)", make<ShapeCommand>},
     {"bump", "Bake a height map into derivatives, normals or horizons, for shading", make<BumpCommand>},
     {"quadric", "Bake a mesh's curvature into its vertices, for curved relief rendering", make<QuadricCommand>},
+    {"batch", "Bake folders of files: only what changed, side by side, through any interruption", make<BatchCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench also", "Time several maps of one source, apart and in one run (--also)", make<BenchAlsoCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},

@@ -1,5 +1,7 @@
 #include "cli/output_checks.h"
 
+#include "cli/command_files.h"
+
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -36,6 +38,7 @@ Result<void> validate_not_input(const std::string& input, const std::string& out
 }
 
 Result<void> validate_output_folder(const std::string& output) {
+    if (folders_are_made_later()) return {};
     const fs::path parent = fs::path(output).parent_path();
     const fs::path folder = parent.empty() ? "." : parent;
     if (access(folder.c_str(), W_OK | X_OK) == 0) return {};

@@ -74,8 +74,9 @@ void add_describe(CLI::App& root) {
 int parse_and_run(int argc, char** argv) {
     CLI::App root(
         "Offline baking for relief rendering.\n"
-        "Exit status: 0 done, 1 internal fault, 2 usage, 4 verification failed, 5 over budget, 65 bad input\n"
-        "data, 66 no such input, 73/74 cannot write, 130/143 interrupted.",
+        "Exit status: 0 done, 1 internal fault, 2 usage, 3 some assets of a batch failed, 4 verification\n"
+        "failed, 5 over budget, 65 bad input data, 66 no such input, 73/74 cannot write, 75 another run holds\n"
+        "the folder, 130/143 interrupted.",
         "reliefbake");
     root.set_version_flag("--version", std::string("reliefbake ") + version());
     root.require_subcommand(1);

@@ -1,5 +1,7 @@
 #include "cli/stage_clock.h"
 
+#include "cli/command_output.h"
+
 #include <atomic>
 #include <cstdio>
 #include <string_view>
@@ -21,7 +23,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 } // namespace
 
 ProgressLine::ProgressLine(bool enabled) {
-    if (enabled && isatty(STDERR_FILENO)) thread_ = std::thread(&ProgressLine::show_until_stopped, this);
+    if (enabled && !output_is_captured() && isatty(STDERR_FILENO)) thread_ = std::thread(&ProgressLine::show_until_stopped, this);
 }
 
 void ProgressLine::stop() {

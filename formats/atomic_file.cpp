@@ -9,7 +9,10 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <cstdio>
 #include <cstring>
+#include <ctime>
+#include <fstream>
 #include <semaphore>
 #include <string>
 #include <system_error>
@@ -30,6 +33,11 @@ struct Slot {
 Slot slots[max_writers];
 std::counting_semaphore<max_writers> free_slots(max_writers);
 static_assert(std::atomic<bool>::is_always_lock_free);
+
+// Once `closing` is set no temporary stays that is made then; `creating` counts those between their look at it and their file.
+std::atomic<bool> closing{false};
+std::atomic<int> creating{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 /// Keeps one temporary's name known to remove_temporaries_on_signal, and removes the file unless it was renamed.
 class Temporary {
@@ -65,8 +73,11 @@ class Temporary {
             }
             std::memcpy(slot_->path, path.c_str(), path.size() + 1);
             slot_->armed = true;
-            UniqueFd fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            ++creating;
+            UniqueFd fd(closing ? -1 : ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            --creating;
             if (fd) return fd;
+            if (closing) errno = EINTR;
             slot_->armed = false;
             if (errno != EEXIST) break;
         }
@@ -111,6 +122,13 @@ Result<fs::path> target_of(const fs::path& path) {
     if (fs::exists(status) && !fs::is_regular_file(status))
         return fail(ErrorCode::cannot_create, path.string() + ": cannot create: there is something here that is not a file");
     return target;
+}
+
+/// Whether a process of this number runs, and is this tool: numbers are used again.
+bool is_running_tool(int pid) {
+    std::ifstream comm("/proc/" + std::to_string(pid) + "/comm");
+    std::string name;
+    return std::getline(comm, name) && name.starts_with("reliefbake");
 }
 
 } // namespace
@@ -193,8 +211,26 @@ Result<void> write_file_atomically(const fs::path& path, std::span<const std::by
     return batch.add(path, bytes).and_then([&] { return batch.publish(); });
 }
 
+std::vector<fs::path> remove_abandoned_temporaries(const fs::path& folder) {
+    std::vector<fs::path> removed;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        int pid = 0, end_of_name = 0;
+        if (std::sscanf(name.c_str(), ".reliefbake-%d-%*u.tmp%n", &pid, &end_of_name) != 1 || std::size_t(end_of_name) != name.size()) continue;
+        if (is_running_tool(pid)) continue;
+        std::error_code ignored;
+        if (fs::remove(entry->path(), ignored)) removed.push_back(entry->path());
+    }
+    return removed;
+}
+
 void remove_temporaries_on_signal() noexcept {
     const int saved_errno = errno;
+    closing = true;
+    // Other threads end their open(); one that this handler interrupted never will, so wait for a moment only.
+    constexpr timespec pause{0, 1000000};
+    for (int wait = 0; creating > 0 && wait < 100; ++wait) ::nanosleep(&pause, nullptr);
     for (Slot& slot : slots)
         if (slot.armed) ::unlink(slot.path);
     errno = saved_errno;

@@ -42,7 +42,11 @@ class FileBatch {
     std::vector<std::unique_ptr<Staged>> files_;
 };
 
-/// Removes temporaries of writes in progress, which then fail; async-signal-safe. The last call of a SIGINT or SIGTERM
+/// Removes temporaries in `folder` and below it that a run which was killed left behind, and returns them; one whose writer still
+/// runs on this machine stays.
+std::vector<std::filesystem::path> remove_abandoned_temporaries(const std::filesystem::path& folder);
+
+/// Removes temporaries of writes in progress, which then fail, as all later ones do; async-signal-safe. The last call of a SIGINT or SIGTERM
 /// handler before _exit.
 void remove_temporaries_on_signal() noexcept;
 

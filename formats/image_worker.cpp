@@ -62,10 +62,12 @@ int spawn_worker(const fs::path& program, int socket, pid_t& pid) {
 
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    sigset_t none, all;
-    sigemptyset(&none);
+    // A farm ends all processes of a job at once: the worker leaves with the tool, not before, or its file would seem to be at fault.
+    sigset_t blocked, all;
+    sigemptyset(&blocked);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&blocked, signal);
     sigfillset(&all);
-    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigmask(&attributes, &blocked);
     posix_spawnattr_setsigdefault(&attributes, &all);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 
@@ -85,11 +87,20 @@ std::string describe_end(int status) {
            (signal == SIGKILL ? "" : "; the file is damaged or hostile");
 }
 
+thread_local ImageWorker* own_worker = nullptr;
+
 } // namespace
 
 ImageWorker& ImageWorker::instance() {
     static ImageWorker& worker = *new ImageWorker;
-    return worker;
+    return own_worker ? *own_worker : worker;
+}
+
+OwnImageWorker::OwnImageWorker() : outer_(own_worker) { own_worker = &worker_; }
+
+OwnImageWorker::~OwnImageWorker() {
+    own_worker = outer_;
+    if (worker_.socket_) worker_.stop();
 }
 
 Result<void> ImageWorker::start() {
@@ -118,6 +129,7 @@ std::string ImageWorker::stop() {
     while (waited < 0 && errno == EINTR);
     socket_.reset();
     pid_ = 0;
+    killed_ = killed_ || waited < 0 || (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
     return waited > 0 ? describe_end(status) : "the image helper disappeared";
 }
 

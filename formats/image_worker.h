@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include <sys/types.h>
 
@@ -28,7 +29,8 @@ namespace reliefbake {
 
 class ImageWorker {
   public:
-    /// The one worker of this process. Never destroyed: the worker leaves when this process does.
+    /// The worker of this thread: that of its OwnImageWorker, else the one that all other threads share. That one is never destroyed:
+    /// it leaves when this process does.
     static ImageWorker& instance();
 
     /// Held for a whole conversation (open ... last block; encode).
@@ -50,7 +52,11 @@ class ImageWorker {
     /// Process id of the running worker, or 0.
     pid_t pid() const { return pid_; }
 
+    /// Whether the worker was killed since the last call, from outside or for want of an answer: what it worked on may be well.
+    bool take_killed() { return std::exchange(killed_, false); }
+
   private:
+    friend class OwnImageWorker;
     ImageWorker() = default;
     Result<void> start();
     std::string stop();
@@ -58,6 +64,21 @@ class ImageWorker {
     std::mutex mutex_;
     UniqueFd socket_;
     pid_t pid_ = 0;
+    bool killed_ = false;
+};
+
+/// Gives the thread that makes it a worker of its own, for as long as it lives: threads that read and write files at once do not
+/// wait for each other. Spawned on first use.
+class OwnImageWorker {
+  public:
+    OwnImageWorker();
+    ~OwnImageWorker();
+    OwnImageWorker(const OwnImageWorker&) = delete;
+    OwnImageWorker& operator=(const OwnImageWorker&) = delete;
+
+  private:
+    ImageWorker worker_;
+    ImageWorker* outer_;
 };
 
 } // namespace reliefbake

@@ -36,6 +36,9 @@ struct MeshReadOptions {
 /// file's own folder. Errors: no_input; bad_data (damaged, nothing to bake: no triangles, over the budget), one line each.
 Result<MeshFile> read_mesh(const std::filesystem::path& path, const MeshReadOptions& options = {});
 
+/// The files beside a .gltf or .glb that hold its buffers; none for other files, and where it makes no sense.
+std::vector<std::filesystem::path> mesh_buffer_files(const std::filesystem::path& path);
+
 /// How quadrics are stored.
 struct QuadricStore {
     enum class Where {

@@ -1,6 +1,7 @@
 #include "cli/bump/bake_bump.h"
 
 #include "cli/bump/bump_report.h"
+#include "cli/command_output.h"
 #include "cli/cone/stored_height.h"
 #include "cli/stage_clock.h"
 #include "formats/bump_file.h"
@@ -48,14 +49,28 @@ Result<BumpMap> bake(const BumpPlan& plan, const DepthMap& depth) {
 
 void tell(const BumpRun& run) {
     const ConeCommandOptions& given = run.plan.given.height;
-    for (const std::string& warning : run.warnings) std::fprintf(stderr, "reliefbake bump: warning: %s\n", warning.c_str());
+    for (const std::string& warning : run.warnings) print_warning("bump", warning);
     if (given.quiet) return;
-    std::fputs((given.json ? bump_result_text(run) : bump_summary(run)).c_str(), stdout);
+    print_result(given.json ? bump_result_text(run) : bump_summary(run));
 }
 
 } // namespace
 
 void BumpCommand::add_to(CLI::App& app) { add_bump_options(app, options_); }
+
+Result<CommandFiles> BumpCommand::files() const {
+    const FoldersMadeLater later;
+    const Result<BumpPlan> plan = plan_bump(options_);
+    if (!plan) return tl::unexpected(plan.error());
+    CommandFiles files;
+    files.inputs.push_back(options_.height.input);
+    files.outputs = bump_files(options_.height.output, plan->info);
+    files.arguments = plan->info.argument_hash + "\n";
+    files.sample_bytes = double(bytes_of_sample(plan->info.bits));
+    files.planes = options_.kind == BumpKind::horizon ? 8 : 1;
+    files.max_bytes = options_.height.read.max_bytes;
+    return files;
+}
 
 Result<void> BumpCommand::run() {
     Result<BumpPlan> planned = plan_bump(options_);

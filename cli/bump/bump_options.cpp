@@ -38,13 +38,9 @@ Result<void> validate_floats(const BumpCommandOptions& o, BitDepth bits) {
     return {};
 }
 
-/// The second file of a pair would be the input.
 Result<void> validate_outputs(const BumpCommandOptions& o, const BumpMapInfo& info) {
-    for (const BumpImage& image : bump_images(info)) {
-        const std::filesystem::path path = o.height.output;
-        const auto file = path.parent_path() / (path.stem().string() + image.suffix + path.extension().string());
+    for (const std::filesystem::path& file : bump_files(o.height.output, info))
         if (Result<void> other = validate_not_input(o.height.input, file.string()); !other) return other;
-    }
     return validate_output_folder(o.height.output);
 }
 
@@ -63,6 +59,13 @@ std::string result_text(const BumpPlan& plan) {
 }
 
 } // namespace
+
+std::vector<std::filesystem::path> bump_files(const std::filesystem::path& output, const BumpMapInfo& info) {
+    std::vector<std::filesystem::path> files;
+    for (const BumpImage& image : bump_images(info))
+        files.push_back(output.parent_path() / (output.stem().string() + image.suffix + output.extension().string()));
+    return files;
+}
 
 void add_bump_options(CLI::App& app, BumpCommandOptions& o) {
     add_input_options(app, o.height);

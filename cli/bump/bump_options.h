@@ -5,8 +5,10 @@
 #include "cli/choices.h"
 #include "cli/cone/cone_options.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace reliefbake {
 
@@ -35,6 +37,9 @@ struct BumpPlan {
 };
 
 void add_bump_options(CLI::App& app, BumpCommandOptions& options);
+
+/// The files of such a map: `output`, and the second of a pair.
+std::vector<std::filesystem::path> bump_files(const std::filesystem::path& output, const BumpMapInfo& info);
 
 /// Refuses (usage) options that the kind does not read or that do not fit the output.
 Result<BumpPlan> plan_bump(const BumpCommandOptions& options);

@@ -1,10 +1,12 @@
 #include "cli/cone/bake_command.h"
 
 #include "cli/cone/bake_maps.h"
+#include "cli/command_output.h"
 #include "cli/cone/cone_report.h"
 #include "cli/cone/large/bake_bands.h"
+#include "cli/cone/plan_files.h"
 
-#include <cstdio>
+#include <algorithm>
 
 namespace reliefbake {
 
@@ -28,14 +30,14 @@ void print(const BakedMaps& baked, const std::optional<LargeReport>& large = std
     for (const BakedMap& map : baked.maps)
         runs.push_back({map.plan, baked.source.image, baked.source.report, map.info, map.grid, map.warnings, map.seconds, map.levels, large});
     for (const ConeRun& run : runs)
-        for (const std::string& warning : run.warnings) std::fprintf(stderr, "reliefbake %s: warning: %s\n", run.plan.given.command.c_str(), warning.c_str());
+        for (const std::string& warning : run.warnings) print_warning(run.plan.given.command, warning);
     const ConeCommandOptions& given = baked.maps.front().plan.given;
     if (given.quiet) return;
     if (given.json) {
-        std::fputs(cone_result_text(runs).c_str(), stdout);
+        print_result(cone_result_text(runs));
         return;
     }
-    for (const ConeRun& run : runs) std::fputs(cone_summary(run).c_str(), stdout);
+    for (const ConeRun& run : runs) print_result(cone_summary(run));
 }
 
 } // namespace
@@ -67,6 +69,31 @@ Result<void> BakeCommand::run() {
     if (!baked) return tl::unexpected(baked.error());
     print(*baked);
     return {};
+}
+
+Result<CommandFiles> BakeCommand::files() const {
+    const FoldersMadeLater later;
+    const Result<ConeCommandOptions> first = given();
+    if (!first) return tl::unexpected(first.error());
+    const Result<std::vector<ConePlan>> plans = plan_maps(*first, also_);
+    if (!plans) return tl::unexpected(plans.error());
+    CommandFiles files;
+    files.inputs.push_back(first->input);
+    files.max_bytes = first->read.max_bytes;
+    files.sample_bytes = 0, files.planes = 0;
+    for (const ConePlan& plan : *plans) {
+        for (const std::vector<std::filesystem::path>& map : files_of(plan)) files.outputs.insert(files.outputs.end(), map.begin(), map.end());
+        files.arguments += plan.argument_hash + (plan.given.relief_output.empty() ? "" : " relief") + "\n";
+        files.sample_bytes = std::max(files.sample_bytes, double(bytes_of_sample(plan.bits)));
+        files.planes = std::max(files.planes, double(plan.given.planes));
+        files.mips = files.mips || plan.given.mips;
+    }
+    if (const std::string& alpha = first->alpha.from; !alpha.empty()) {
+        const std::filesystem::path file = alpha; // a channel's name has no extension that a file would have
+        if (file.has_extension()) files.inputs.push_back(file);
+        else files.arguments += "alpha=" + alpha + "\n";
+    }
+    return files;
 }
 
 Result<ConeCommandOptions> parse_also(const std::string& text, const ConeCommandOptions& run) {

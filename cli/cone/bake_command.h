@@ -2,6 +2,7 @@
 // What the commands that bake cones have in common: the options of a run, and --also.
 
 #include "cli/command.h"
+#include "cli/command_files.h"
 #include "cli/cone/cone_options.h"
 
 #include <memory>
@@ -11,10 +12,11 @@
 namespace reliefbake {
 
 /// A command that bakes one map of cones, and with --also others of the same source.
-class BakeCommand : public Command {
+class BakeCommand : public Command, public PlannedCommand {
   public:
     void add_to(CLI::App& app) override;
     Result<void> run() final;
+    Result<CommandFiles> files() const final;
 
     /// Declares what may differ between the maps of one run: what is baked, how it is stored, and where.
     virtual void add_own_options(CLI::App& app) = 0;

@@ -2,6 +2,7 @@
 
 #include "cli/argument_hash.h"
 #include "cli/cone/mip_options.h"
+#include "cli/cone/plan_files.h"
 #include "cli/options/thread_option.h"
 #include "cli/output_checks.h"
 #include "formats/map_file.h"
@@ -85,14 +86,13 @@ std::string identity_of(const fs::path& file) {
     return name;
 }
 
-/// The files of each map that a plan writes: its own, and the relief beside it.
+} // namespace
+
 std::vector<std::vector<fs::path>> files_of(const ConePlan& plan) {
     std::vector<std::vector<fs::path>> files{map_files(plan.given.output, layout_facts(plan), plan.given.mips)};
     if (!plan.given.relief_output.empty()) files.push_back(map_files(plan.given.relief_output, ReliefMapInfo(), plan.given.mips));
     return files;
 }
-
-} // namespace
 
 Result<void> validate_outputs(const std::vector<ConePlan>& plans) {
     std::map<std::string, int> seen; // and of which map

@@ -1,11 +1,11 @@
 #include "cli/quadric/bake_quadric.h"
 
+#include "cli/command_output.h"
 #include "cli/quadric/quadric_report.h"
 #include "cli/stage_clock.h"
 #include "formats/write_image.h"
 #include "shaders-reference/measure/curvature_picture.h"
 
-#include <cstdio>
 #include <utility>
 
 namespace reliefbake {
@@ -40,6 +40,20 @@ Result<void> write_all(const QuadricCommandOptions& plan, const MeshFile& file, 
 
 void QuadricCommand::add_to(CLI::App& app) { add_quadric_options(app, options_); }
 
+Result<CommandFiles> QuadricCommand::files() const {
+    const FoldersMadeLater later;
+    const Result<QuadricCommandOptions> plan = plan_quadric(options_);
+    if (!plan) return tl::unexpected(plan.error());
+    CommandFiles files;
+    files.inputs.push_back(plan->input);
+    files.outputs.push_back(plan->output);
+    if (!plan->preview.empty()) files.outputs.push_back(plan->preview);
+    files.arguments = "quadric\nfit=" + word_of_fit(plan->quadric.fit) + "\nterms=" + std::to_string(plan->quadric.twist) +
+                      "\nframe=" + (plan->quadric.frame == FrameKind::automatic ? "auto" : word_of_frame(plan->quadric.frame)) + "\nstore=" + word_of_store(plan->store) + "\n";
+    files.max_bytes = plan->read.max_bytes;
+    return files;
+}
+
 Result<void> QuadricCommand::run() {
     const Result<QuadricCommandOptions> plan = plan_quadric(options_);
     if (!plan) return tl::unexpected(plan.error());
@@ -54,9 +68,9 @@ Result<void> QuadricCommand::run() {
 
     QuadricRun run{*plan, *file, *bakes, add_up(*bakes), summarise(*bakes), {}};
     run.warnings = quadric_warnings(run);
-    for (const std::string& warning : run.warnings) std::fprintf(stderr, "reliefbake quadric: warning: %s\n", warning.c_str());
+    for (const std::string& warning : run.warnings) print_warning("quadric", warning);
     if (plan->quiet) return {};
-    std::fputs((plan->json ? quadric_result_text(run, clock.seconds()) : quadric_summary(run, clock.seconds())).c_str(), stdout);
+    print_result(plan->json ? quadric_result_text(run, clock.seconds()) : quadric_summary(run, clock.seconds()));
     return {};
 }
 

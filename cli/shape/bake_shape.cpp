@@ -1,12 +1,12 @@
 #include "cli/shape/bake_shape.h"
 
+#include "cli/command_output.h"
 #include "cli/shape/shape_report.h"
 #include "cli/stage_clock.h"
 #include "cli/version.h"
 #include "formats/shape_file.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace reliefbake {
@@ -40,14 +40,27 @@ bool is_alpha(const std::string& channel) { return channel == "A" || channel.end
 
 void tell(const ShapeRun& run) {
     const ShapeCommandOptions& given = run.plan.given;
-    for (const std::string& warning : run.warnings) std::fprintf(stderr, "reliefbake shape: warning: %s\n", warning.c_str());
+    for (const std::string& warning : run.warnings) print_warning("shape", warning);
     if (given.quiet) return;
-    std::fputs((given.json ? shape_result_text(run) : shape_summary(run)).c_str(), stdout);
+    print_result(given.json ? shape_result_text(run) : shape_summary(run));
 }
 
 } // namespace
 
 void ShapeCommand::add_to(CLI::App& app) { add_shape_options(app, options_); }
+
+Result<CommandFiles> ShapeCommand::files() const {
+    const FoldersMadeLater later;
+    const Result<ShapePlan> plan = plan_shape(options_);
+    if (!plan) return tl::unexpected(plan.error());
+    CommandFiles files;
+    files.inputs.push_back(options_.input);
+    files.outputs.push_back(options_.output);
+    files.arguments = argument_hash(*plan, options_.read.channel) + "\n";
+    files.sample_bytes = double(bytes_of_sample(plan->bake.bits));
+    files.max_bytes = options_.read.max_bytes;
+    return files;
+}
 
 Result<void> ShapeCommand::run() {
     Result<ShapePlan> plan = plan_shape(options_);

@@ -4,9 +4,10 @@
 
 #include <csignal>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
+#include <string>
 #include <pty.h>
-#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -64,12 +65,14 @@ int RunningTool::wait(std::chrono::milliseconds patience) {
 }
 
 std::vector<pid_t> RunningTool::children() const {
-    std::ostringstream path;
-    path << "/proc/" << pid_ << "/task/" << pid_ << "/children";
-    std::ifstream list(path.str());
     std::vector<pid_t> pids;
-    for (pid_t pid; list >> pid;)
-        pids.push_back(pid);
+    std::error_code gone; // the tool may end meanwhile
+    // A child belongs to the thread that started it.
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(pid_) + "/task", gone)) {
+        std::ifstream list(thread.path() / "children");
+        for (pid_t pid; list >> pid;)
+            pids.push_back(pid);
+    }
     return pids;
 }
 

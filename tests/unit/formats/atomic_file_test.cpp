@@ -124,3 +124,37 @@ TEST_CASE("many threads write at once, more than there are slots") {
     CHECK(folder.entries() == 50);
     for (int i = 0; i < 50; ++i) CHECK(file_bytes(folder / std::to_string(i)) == std::string(1000, char('a' + i % 26)));
 }
+
+TEST_CASE("temporaries of runs that were killed are removed, and those of a running tool stay") {
+    TemporaryFolder folder;
+    fs::create_directories(folder / "sub");
+    const pid_t gone = fork();
+    if (gone == 0) _exit(0);
+    waitpid(gone, nullptr, 0);
+    const std::string dead = ".reliefbake-" + std::to_string(gone) + "-0.tmp";
+    const std::string other = ".reliefbake-" + std::to_string(getpid()) + "-1.tmp"; // of a process that is not the tool
+    for (const std::string& name : {dead, other, std::string("sub/") + dead, std::string(".reliefbake-x-0.tmp"), dead + "x", std::string("a.png")}) write_bytes(folder / name, "x");
+    CHECK(remove_abandoned_temporaries(folder.path()).size() == 3);
+    CHECK(folder.entries() == 4); // sub and three others
+    CHECK(fs::is_empty(folder / "sub"));
+    CHECK(remove_abandoned_temporaries(folder / "none").empty());
+}
+
+TEST_CASE("no temporary outlives a clean-up, however many writers are at work") {
+    TemporaryFolder folder;
+    for (int round = 0; round < 10; ++round) {
+        const pid_t child = fork();
+        if (child == 0) {
+            std::vector<std::thread> writers;
+            for (int k = 0; k < 8; ++k)
+                writers.emplace_back([&, k] {
+                    while (true) (void)write_text(folder / ("f" + std::to_string(k)), "x");
+                });
+            std::this_thread::sleep_for(std::chrono::milliseconds(20 + round));
+            remove_temporaries_on_signal();
+            _exit(0);
+        }
+        waitpid(child, nullptr, 0);
+        CHECK(folder.entries() == 8); // each of the files, and nothing beside them
+    }
+}
