@@ -110,7 +110,7 @@ Result<void> BatchCommand::tell_plan(const BatchPlan& plan) const {
     double seconds = 0;
     std::size_t to_bake = 0;
     for (const BatchJob& job : plan.jobs) {
-        const Verdict verdict = judge(job, line_of(*known, job), plan.out, retry_failed_);
+        const Freshness verdict = judge(job, line_of(*known, job), plan.out, retry_failed_);
         if (verdict.must_bake) seconds += job.predicted.seconds, ++to_bake;
         const std::string reason = verdict.must_bake ? verdict.reason : verdict.failed_before ? "failed before, and nothing changed" : "nothing changed";
         if (report_.events)
@@ -133,7 +133,7 @@ Result<void> BatchCommand::tell_plan(const BatchPlan& plan) const {
 Result<BatchCommand::Work> BatchCommand::find_work(const BatchPlan& plan, Ledger& ledger) const {
     Work work;
     for (const BatchJob& job : plan.jobs) {
-        Verdict verdict = judge(job, line_of(ledger.lines(), job), plan.out, retry_failed_);
+        Freshness verdict = judge(job, line_of(ledger.lines(), job), plan.out, retry_failed_);
         if (verdict.renewed)
             if (Result<void> recorded = ledger.record(*verdict.renewed); !recorded) return tl::unexpected(recorded.error());
         if (verdict.must_bake) {

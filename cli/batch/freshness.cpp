@@ -19,7 +19,7 @@ FileStamp trusted(const FileStamp& stamp) {
     return std::max(stamp.changed, stamp.modified) + tick < now ? stamp : FileStamp();
 }
 
-Verdict bake_because(const std::string& reason) { return {true, reason, false, {}}; }
+Freshness bake_because(const std::string& reason) { return {true, reason, false, {}}; }
 
 /// The line with the inputs as they are now; none where they decode to something else, with the reason.
 std::optional<LedgerLine> same_inputs(const BatchJob& job, const LedgerLine& line, std::string& reason) {
@@ -93,7 +93,7 @@ std::string decoded_hash(const BatchJob& job, const std::vector<FileRecord>& inp
     return hash_of_text(text);
 }
 
-Verdict judge(const BatchJob& job, const LedgerLine* line, const fs::path& out, bool retry_failed) {
+Freshness judge(const BatchJob& job, const LedgerLine* line, const fs::path& out, bool retry_failed) {
     if (!line) return bake_because("new");
     if (line->algorithm != algorithm_version()) return bake_because("baked by version " + line->algorithm);
     if (line->kind != job.kind || line->arguments != hash_of_text(job.arguments)) return bake_because("its options changed");
@@ -101,7 +101,7 @@ Verdict judge(const BatchJob& job, const LedgerLine* line, const fs::path& out, 
     std::string reason;
     std::optional<LedgerLine> now = same_inputs(job, *line, reason);
     if (!now || !same_outputs(*now, out, reason)) return bake_because(reason);
-    Verdict fresh{false, "", line->failure.has_value(), {}};
+    Freshness fresh{false, "", line->failure.has_value(), {}};
     if (!same_stamps(now->inputs, line->inputs) || !same_stamps(now->outputs, line->outputs)) fresh.renewed = std::move(now);
     return fresh;
 }

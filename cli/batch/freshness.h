@@ -23,7 +23,7 @@ Result<std::vector<FileRecord>> identify_inputs(const BatchJob& job);
 /// Hash of the decoded inputs, or of the bytes of those that are no images or cannot be decoded, which the bake will tell.
 std::string decoded_hash(const BatchJob& job, const std::vector<FileRecord>& inputs);
 
-struct Verdict {
+struct Freshness {
     bool must_bake = true;
     std::string reason;               ///< "new", "its options changed", ...; of a fresh asset empty
     bool failed_before = false;       ///< fresh: it was refused, and nothing has changed since
@@ -31,6 +31,6 @@ struct Verdict {
 };
 
 /// Compares an asset with its line (null: there is none). Files whose stamps are as they were are not read.
-Verdict judge(const BatchJob& job, const LedgerLine* line, const std::filesystem::path& out, bool retry_failed);
+Freshness judge(const BatchJob& job, const LedgerLine* line, const std::filesystem::path& out, bool retry_failed);
 
 } // namespace reliefbake
