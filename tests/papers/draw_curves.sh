@@ -11,7 +11,8 @@ draw_curves() {
         printf '%s\n' "${@:5}"
         printf 'plot '
         for title in "${titles[@]}"; do
-            awk -F '\t' -v title="$title" '$1 == title && $3 > 0 { print $2, $3 }' "$lines" >"$scratch/curve.$((++k))"
+            k=$((k + 1))
+            awk -F '\t' -v title="$title" '$1 == title && $3 > 0 { print $2, $3 }' "$lines" >"$scratch/curve.$k"
             [[ -s $scratch/curve.$k ]] || continue
             printf '%s"%s" title "%s" noenhanced linewidth 2' "$between" "$scratch/curve.$k" "$title"
             between=', '
