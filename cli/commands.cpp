@@ -15,6 +15,7 @@
 #include "cli/cone/bake_families.h"
 #include "cli/explain/explain.h"
 #include "cli/merge/merge.h"
+#include "cli/plan/plan.h"
 #include "cli/quadric/bake_quadric.h"
 #include "cli/render/render.h"
 #include "cli/render/shader.h"
@@ -41,6 +42,8 @@ constexpr CommandEntry all_commands[] = {
     {"bump", "Bake a height map into derivatives, normals or horizons, for shading", make<BumpCommand>},
     {"quadric", "Bake a mesh's curvature into its vertices, for curved relief rendering", make<QuadricCommand>},
     {"batch", "Bake folders of files: only what changed, side by side, through any interruption", make<BatchCommand>},
+    {"run", "Bake one shard of a batch that several machines share", make<RunCommand>},
+    {"plan", "Print a batch as commands, a build.ninja, or a job for Slurm or Kubernetes", make<PlanCommand>},
     {"bench cone", "Time the cone bake, beside the ways others bake", make<BenchConeCommand>},
     {"bench also", "Time several maps of one source, apart and in one run (--also)", make<BenchAlsoCommand>},
     {"bench dynamic", "Bake anisotropic maps of a moving surface, maps a second", make<BenchDynamicCommand>},
@@ -51,7 +54,7 @@ constexpr CommandEntry all_commands[] = {
     {"bench surface", "Write a mesh of a known surface, for curved relief", make<BenchSurfaceCommand>},
     {"bench terrain", "Write a large height map, to bake", make<BenchTerrainCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
-    {"merge", "Join the bands of a large map that were baked apart (cone --rows)", make<MergeCommand>},
+    {"merge", "Join the bands of a large map (cone --rows), or the shards of a batch (run), that were baked apart", make<MergeCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
     {"stress", "Report what each encoding keeps at the numerical extremes", make<StressCommand>},

@@ -1,9 +1,11 @@
 #include "cli/run.h"
 
+#include "cli/build_options.h"
 #include "cli/command.h"
 #include "cli/describe/describe.h"
 #include "cli/version.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -20,6 +22,8 @@ struct Declared {
     CLI::App* app;
     std::string path;
     std::unique_ptr<Command> command;
+    const PlannedCommand* bake;          ///< the same, of a command that bakes one file; else null
+    std::unique_ptr<BuildOptions> build; ///< with such a command
 };
 
 CLI::App* find_or_add_group(CLI::App& parent, const std::string& name) {
@@ -39,7 +43,10 @@ Declared declare(CLI::App& root, const CommandEntry& entry) {
     CLI::App* app = parent->add_subcommand(path.substr(space + 1), entry.summary);
     std::unique_ptr<Command> command = entry.make();
     command->add_to(*app);
-    return {app, path, std::move(command)};
+    const auto* bake = dynamic_cast<const PlannedCommand*>(command.get());
+    auto build = std::make_unique<BuildOptions>();
+    if (bake) build->add_to(*app);
+    return {app, path, std::move(command), bake, std::move(build)};
 }
 
 int report(const std::string& path, const Error& error) {
@@ -56,7 +63,10 @@ Result<void> flush_output() {
 int run_chosen(std::vector<Declared>& declared) {
     for (Declared& candidate : declared) {
         if (!candidate.app->parsed()) continue;
-        Result<void> result = candidate.command->run().and_then(flush_output);
+        Result<void> result = candidate.bake ? candidate.build->begin(*candidate.bake) : Result<void>();
+        result = result.and_then([&] { return candidate.command->run(); });
+        if (candidate.bake) result = result.and_then([&] { return candidate.build->end(*candidate.bake); });
+        result = result.and_then(flush_output);
         return result ? 0 : report(candidate.path, result.error());
     }
     return int(ErrorCode::usage);
@@ -85,7 +95,9 @@ int parse_and_run(int argc, char** argv) {
     for (const CommandEntry& entry : commands())
         declared.push_back(declare(root, entry));
     try {
-        root.parse(argc, argv);
+        std::vector<std::string> words = with_long_options(argc, argv);
+        std::reverse(words.begin(), words.end()); // CLI11 takes them from the back
+        root.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         if (root.exit(error) != 0) return int(ErrorCode::usage);
         const Result<void> flushed = flush_output();

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -124,6 +125,22 @@ Result<fs::path> target_of(const fs::path& path) {
     return target;
 }
 
+std::atomic<bool> equal_files_stay{false};
+
+bool holds(const fs::path& file, std::span<const std::byte> bytes) {
+    UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    if (!fd || ::fstat(fd.get(), &status) != 0 || std::uint64_t(status.st_size) != bytes.size()) return false;
+    std::vector<std::byte> block(1u << 20);
+    while (!bytes.empty()) {
+        const ssize_t read = ::read(fd.get(), block.data(), std::min(block.size(), bytes.size()));
+        if (read < 0 && errno == EINTR) continue;
+        if (read <= 0 || std::memcmp(block.data(), bytes.data(), std::size_t(read)) != 0) return false;
+        bytes = bytes.subspan(std::size_t(read));
+    }
+    return true;
+}
+
 /// Whether a process of this number runs, and is this tool: numbers are used again.
 bool is_running_tool(int pid) {
     std::ifstream comm("/proc/" + std::to_string(pid) + "/comm");
@@ -178,6 +195,7 @@ FileBatch::~FileBatch() = default;
 Result<int> FileBatch::open(const fs::path& path) {
     const Result<fs::path> target = target_of(path);
     if (!target) return tl::unexpected(target.error());
+    if (equal_files_stay && holds(*target, bytes)) return {};
     // A batch that waited for slots of its own would wait for ever.
     if (files_.empty()) free_slots.acquire();
     else if (!free_slots.try_acquire()) return fail(ErrorCode::write_failed, path.string() + ": too many files at once");
@@ -210,6 +228,8 @@ Result<void> write_file_atomically(const fs::path& path, std::span<const std::by
     FileBatch batch;
     return batch.add(path, bytes).and_then([&] { return batch.publish(); });
 }
+
+void leave_equal_files(bool leave) { equal_files_stay = leave; }
 
 std::vector<fs::path> remove_abandoned_temporaries(const fs::path& folder) {
     std::vector<fs::path> removed;

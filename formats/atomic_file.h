@@ -42,6 +42,10 @@ class FileBatch {
     std::vector<std::unique_ptr<Staged>> files_;
 };
 
+/// From now on a file that already holds the very bytes is not written again and keeps its time (--if-changed), or is, as at first. For the
+/// whole process, before its work.
+void leave_equal_files(bool leave);
+
 /// Removes temporaries in `folder` and below it that a run which was killed left behind, and returns them; one whose writer still
 /// runs on this machine stays.
 std::vector<std::filesystem::path> remove_abandoned_temporaries(const std::filesystem::path& folder);

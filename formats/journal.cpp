@@ -46,10 +46,10 @@ bool write_all(int fd, const std::string& text) {
 
 } // namespace
 
-Result<std::optional<FolderLock>> FolderLock::take(const std::filesystem::path& file) {
+Result<std::optional<FolderLock>> FolderLock::take(const std::filesystem::path& file, Hold hold) {
     UniqueFd fd(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (!fd) return fail(ErrorCode::cannot_create, file.string() + ": cannot create: " + reason());
-    if (::flock(fd.get(), LOCK_EX | LOCK_NB) == 0) return FolderLock(std::move(fd));
+    if (::flock(fd.get(), (hold == Hold::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0) return FolderLock(std::move(fd));
     if (errno == EWOULDBLOCK) return std::nullopt;
     return fail(ErrorCode::cannot_create, file.string() + ": cannot lock: " + reason());
 }

@@ -11,11 +11,12 @@
 
 namespace reliefbake {
 
-/// A folder that one run at a time may hold, by a lock that goes with the process, however it ends.
+/// A folder that one run at a time may hold, or several that know of each other, by a lock that goes with the process, however it ends.
 class FolderLock {
   public:
-    /// Makes FILE where it is missing and locks it. None where another process holds it. Errors: cannot_create.
-    static Result<std::optional<FolderLock>> take(const std::filesystem::path& file);
+    enum class Hold { alone, together };
+    /// Makes FILE where it is missing and locks it. None where another process holds it, alone or (asked for alone) at all. Errors: cannot_create.
+    static Result<std::optional<FolderLock>> take(const std::filesystem::path& file, Hold hold = Hold::alone);
 
   private:
     explicit FolderLock(UniqueFd fd) : fd_(std::move(fd)) {}

@@ -1,6 +1,7 @@
 #include "cli/batch/batch.h"
 
 #include "cli/batch/available_memory.h"
+#include "cli/batch/batch_state.h"
 #include "cli/batch/exit_codes.h"
 #include "cli/batch/interrupt.h"
 #include "cli/options/thread_option.h"
@@ -17,10 +18,6 @@ namespace reliefbake {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a run keeps for the next one, inside the output folder.
-fs::path state_folder(const fs::path& out) { return out / ".reliefbake"; }
-fs::path ledger_file(const fs::path& out) { return state_folder(out) / "ledger.jsonl"; }
 
 Result<void> make_folder(const fs::path& folder) {
     std::error_code error;
@@ -52,14 +49,14 @@ struct BatchCommand::Work {
 };
 
 void BatchCommand::add_to(CLI::App& app) {
-    app.add_option("SOURCES", sources_, "Folders (searched through), 'GLOB's (* ? [..] **), files, or @LIST: a file with a name a line")->required()->type_name("DIR|GLOB|FILE|@LIST");
-    app.option_defaults()->group("What is baked");
-    app.add_option("--out", out_, "Folder for the results, in the folders of their sources")->required()->type_name("DIR");
-    CLI::Option* recipe = app.add_option("--recipe", recipe_, "Which files become what, with which options (docs/BATCH.md; default: heights cone, shapes shape, meshes quadric)")->type_name("TOML");
-    app.add_option("--name", name_, "Names of the built-in recipe's results: {stem}, {kind}, {from}: the source's extension (default {stem}_{kind})")->excludes(recipe);
+    given_.add_to(app);
     app.add_option("--cache", cache_, "Folder of finished results, shared by any runs and machines")->type_name("DIR");
     app.add_flag("--retry-failed", retry_failed_, "Try again what was refused before, though nothing changed");
     app.option_defaults()->group("Run");
+    if (sharded_) {
+        CLI::Option* shard = app.add_option("--shard", shard_text_, "Which of N parts to bake, I from 0 (default: from SLURM_ARRAY_TASK_ID, or JOB_COMPLETION_INDEX and --shards)")->type_name("I/N");
+        app.add_option("--shards", shards_, "Number of parts, where a scheduler says which")->check(CLI::Range(1, most_shards))->type_name("N")->excludes(shard);
+    }
     CLI::Option* keep_going = app.add_flag("--keep-going", keep_going_, "Go on past an asset that fails (the default)");
     app.add_flag("--fail-fast", limits_.fail_fast, "Start nothing more once an asset has failed")->excludes(keep_going);
     app.add_flag("--dry-run", dry_run_, "Say what would be done, why, and how long it takes; write nothing");
@@ -74,6 +71,11 @@ Result<void> BatchCommand::resolve() {
     const Result<int> threads = resolve_threads(limits_.threads);
     if (!threads) return tl::unexpected(threads.error());
     limits_.threads = *threads;
+    if (sharded_) {
+        const Result<Shard> shard = find_shard(shard_text_, shards_);
+        if (!shard) return tl::unexpected(shard.error());
+        shard_ = *shard;
+    }
     if (limits_.jobs == 0) limits_.jobs = *threads;
     if (limits_.memory == 0) limits_.memory = available_memory() / 4 * 3;
     report_.events = !quiet_ && (json_ || !::isatty(STDOUT_FILENO));
@@ -83,12 +85,20 @@ Result<void> BatchCommand::resolve() {
 }
 
 Result<BatchPlan> BatchCommand::plan() const {
-    if (const std::string wrong = name_fault(name_); !wrong.empty()) return fail(ErrorCode::usage, "--name " + name_ + ": " + wrong);
-    const Result<Recipe> recipe = recipe_.empty() ? Result<Recipe>(built_in_recipe(name_)) : read_recipe(recipe_);
-    if (!recipe) return tl::unexpected(recipe.error());
-    const Result<std::vector<SourceFile>> sources = find_sources(sources_, out_);
-    if (!sources) return tl::unexpected(sources.error());
-    return plan_batch(*sources, *recipe, out_);
+    Result<BatchPlan> planned = given_.plan();
+    if (planned && sharded_) keep_shard(*planned, shard_);
+    return planned;
+}
+
+fs::path BatchCommand::state() const { return sharded_ ? shard_folder(state_folder(given_.out), shard_) : state_folder(given_.out); }
+
+Result<LedgerLines> BatchCommand::known_lines() const {
+    Result<LedgerLines> lines = Ledger::read(ledger_file(state_folder(given_.out)));
+    if (!lines || !sharded_) return lines;
+    const Result<LedgerLines> own = Ledger::read(ledger_file(state()));
+    if (!own) return tl::unexpected(own.error());
+    for (const auto& [id, line] : *own) lines->insert_or_assign(id, line);
+    return lines;
 }
 
 Result<void> BatchCommand::run() {
@@ -96,21 +106,19 @@ Result<void> BatchCommand::run() {
     Result<BatchPlan> planned = plan();
     if (!planned) return tl::unexpected(planned.error());
     if (dry_run_) {
-        const Result<LedgerLines> known = Ledger::read(ledger_file(out_));
+        const Result<LedgerLines> known = known_lines();
         if (!known) return tl::unexpected(known.error());
         predict_from(*known, *planned);
-        return tell_plan(*planned);
+        return tell_plan(*planned, *known);
     }
     return bake(*planned);
 }
 
-Result<void> BatchCommand::tell_plan(const BatchPlan& plan) const {
-    const Result<LedgerLines> known = Ledger::read(ledger_file(out_));
-    if (!known) return tl::unexpected(known.error());
+Result<void> BatchCommand::tell_plan(const BatchPlan& plan, const LedgerLines& known) const {
     double seconds = 0;
     std::size_t to_bake = 0;
     for (const BatchJob& job : plan.jobs) {
-        const Freshness verdict = judge(job, line_of(*known, job), plan.out, retry_failed_);
+        const Freshness verdict = judge(job, line_of(known, job), plan.out, retry_failed_);
         if (verdict.must_bake) seconds += job.predicted.seconds, ++to_bake;
         const std::string reason = verdict.must_bake ? verdict.reason : verdict.failed_before ? "failed before, and nothing changed" : "nothing changed";
         if (report_.events)
@@ -130,17 +138,17 @@ Result<void> BatchCommand::tell_plan(const BatchPlan& plan) const {
     return {};
 }
 
-Result<BatchCommand::Work> BatchCommand::find_work(const BatchPlan& plan, Ledger& ledger) const {
+Result<BatchCommand::Work> BatchCommand::find_work(const BatchPlan& plan, const LedgerLines& known, Ledger& ledger) const {
     Work work;
     for (const BatchJob& job : plan.jobs) {
-        Freshness verdict = judge(job, line_of(ledger.lines(), job), plan.out, retry_failed_);
+        Freshness verdict = judge(job, line_of(known, job), plan.out, retry_failed_);
         if (verdict.renewed)
             if (Result<void> recorded = ledger.record(*verdict.renewed); !recorded) return tl::unexpected(recorded.error());
         if (verdict.must_bake) {
             work.to_bake.push_back({&job, verdict.reason});
             work.seconds += job.predicted.seconds;
         } else if (verdict.failed_before) {
-            work.failed_before.push_back({job.id, job.source, *line_of(ledger.lines(), job)->failure, true});
+            work.failed_before.push_back({job.id, job.source, *line_of(known, job)->failure, true});
         } else {
             ++work.unchanged;
         }
@@ -157,8 +165,10 @@ BatchSummary BatchCommand::beginning(const BatchPlan& plan) const {
 
 Result<void> BatchCommand::bake_left(BatchPlan& plan, BatchSummary summary, Ledger& ledger, BatchReporter& reporter) const {
     const InterruptWatch watch([&](int signal) { reporter.interrupted(signal); });
-    predict_from(ledger.lines(), plan);
-    const Result<Work> work = find_work(plan, ledger);
+    const Result<LedgerLines> known = known_lines();
+    if (!known) return tl::unexpected(known.error());
+    predict_from(*known, plan);
+    const Result<Work> work = find_work(plan, *known, ledger);
     if (!work) return tl::unexpected(work.error());
     summary.unchanged = work->unchanged;
     summary.failures = work->failed_before;
@@ -168,24 +178,34 @@ Result<void> BatchCommand::bake_left(BatchPlan& plan, BatchSummary summary, Ledg
 }
 
 Result<void> BatchCommand::bake(BatchPlan& plan) const {
-    // Hold the folder.
-    if (Result<void> made = make_folder(state_folder(plan.out)); !made) return made;
-    if (Result<void> made = make_folder(plan.out); !made) return made;
-    const Result<std::optional<FolderLock>> lock = FolderLock::take(state_folder(plan.out) / "lock");
+    // Hold the folder; shards hold it together, and each its own part.
+    const fs::path whole = state_folder(plan.out);
+    for (const fs::path& folder : {whole, plan.out, state()})
+        if (Result<void> made = make_folder(folder); !made) return made;
+    const Result<std::optional<FolderLock>> lock = FolderLock::take(whole / "lock", sharded_ ? FolderLock::Hold::together : FolderLock::Hold::alone);
     if (!lock) return tl::unexpected(lock.error());
     if (!*lock) return fail(folder_is_busy, plan.out.string() + ": another run holds the folder; wait for its end or choose another --out");
-    Result<Ledger> ledger = Ledger::open(ledger_file(plan.out));
+    Result<std::optional<FolderLock>> own = std::optional<FolderLock>();
+    if (sharded_) {
+        own = FolderLock::take(state() / "lock", FolderLock::Hold::alone);
+        if (!own) return tl::unexpected(own.error());
+        if (!*own) return fail(folder_is_busy, state().string() + ": another run bakes this shard");
+    }
+    Result<Ledger> ledger = Ledger::open(ledger_file(state()));
     if (!ledger) return tl::unexpected(ledger.error());
 
     BatchSummary summary = beginning(plan);
-    for (const fs::path& file : remove_abandoned_temporaries(plan.out)) summary.notes.push_back("removed " + file.string() + ", left by a run that was killed");
-    BatchReporter reporter(summary, report_, state_folder(plan.out) / "summary.json");
+    std::error_code ignored;
+    if (sharded_) fs::remove(summary_file(state()), ignored); // `merge` must not take the last run's for this one's
+    if (!sharded_) // else they may be those of another machine
+        for (const fs::path& file : remove_abandoned_temporaries(plan.out)) summary.notes.push_back("removed " + file.string() + ", left by a run that was killed");
+    BatchReporter reporter(summary, report_, summary_file(state()));
     const Result<void> ran = bake_left(plan, summary, *ledger, reporter);
     const Result<BatchSummary> end = reporter.conclude();
     if (!ran) return ran;
     if (!end) return tl::unexpected(end.error());
     if (end->failures.empty()) return {};
-    return fail(partial_failure, format("%zu of %zu assets failed; ", end->failures.size(), end->assets) + state_folder(plan.out).string() + "/summary.json names them");
+    return fail(partial_failure, format("%zu of %zu assets failed; ", end->failures.size(), end->assets) + summary_file(state()).string() + " names them");
 }
 
 } // namespace reliefbake

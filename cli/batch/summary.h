@@ -34,6 +34,9 @@ struct BatchSummary {
 /// As cli/schema/batch_summary.schema.json has it.
 nlohmann::json to_json(const BatchSummary& summary);
 
+/// What to_json made. Errors: bad_data.
+Result<BatchSummary> summary_from(const nlohmann::json& json);
+
 /// For people: counts, and a line for each failure.
 std::string summary_text(const BatchSummary& summary);
 

@@ -1,5 +1,5 @@
 #pragma once
-// reliefbake merge BAND... -o OUT
+// reliefbake merge BAND... -o OUT; reliefbake merge --out DIR
 
 #include "cli/command.h"
 
@@ -14,8 +14,10 @@ class MergeCommand : public Command {
     Result<void> run() override;
 
   private:
+    Result<void> merge_batch() const;
+
     std::vector<std::string> inputs_;
-    std::string output_;
+    std::string output_, out_;
     int threads_ = 0;
     bool json_ = false, quiet_ = false;
 };
