@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -127,17 +126,26 @@ Result<fs::path> target_of(const fs::path& path) {
 
 std::atomic<bool> equal_files_stay{false};
 
-bool holds(const fs::path& file, std::span<const std::byte> bytes) {
-    UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat status {};
-    if (!fd || ::fstat(fd.get(), &status) != 0 || std::uint64_t(status.st_size) != bytes.size()) return false;
-    std::vector<std::byte> block(1u << 20);
-    while (!bytes.empty()) {
-        const ssize_t read = ::read(fd.get(), block.data(), std::min(block.size(), bytes.size()));
+bool read_block(int fd, std::vector<std::byte>& block) {
+    std::size_t filled = 0;
+    while (filled < block.size()) {
+        const ssize_t read = ::read(fd, block.data() + filled, block.size() - filled);
         if (read < 0 && errno == EINTR) continue;
-        if (read <= 0 || std::memcmp(block.data(), bytes.data(), std::size_t(read)) != 0) return false;
-        bytes = bytes.subspan(std::size_t(read));
+        if (read < 0) return false;
+        if (read == 0) break;
+        filled += std::size_t(read);
     }
+    block.resize(filled);
+    return true;
+}
+
+bool have_equal_bytes(const char* a, const char* b) {
+    const UniqueFd fd_a(::open(a, O_RDONLY | O_CLOEXEC)), fd_b(::open(b, O_RDONLY | O_CLOEXEC));
+    if (!fd_a || !fd_b) return false;
+    constexpr std::size_t size = 1u << 20;
+    std::vector<std::byte> block_a(size), block_b(size);
+    while (block_a.size() == size)
+        if (!read_block(fd_a.get(), block_a) || !read_block(fd_b.get(), block_b) || block_a != block_b) return false;
     return true;
 }
 
@@ -180,6 +188,7 @@ struct FileBatch::Staged {
     }
 
     Result<void> publish() {
+        if (equal_files_stay && have_equal_bytes(temporary.path(), target.c_str())) return {}; // the temporary goes with this
         if (::rename(temporary.path(), target.c_str()) != 0)
             return system_error(ErrorCode::write_failed, path, "cannot rename the finished temporary", errno);
         temporary.release();
@@ -195,7 +204,6 @@ FileBatch::~FileBatch() = default;
 Result<int> FileBatch::open(const fs::path& path) {
     const Result<fs::path> target = target_of(path);
     if (!target) return tl::unexpected(target.error());
-    if (equal_files_stay && holds(*target, bytes)) return {};
     // A batch that waited for slots of its own would wait for ever.
     if (files_.empty()) free_slots.acquire();
     else if (!free_slots.try_acquire()) return fail(ErrorCode::write_failed, path.string() + ": too many files at once");
