@@ -46,6 +46,15 @@ Result<void> validate_output_folder(const std::string& output) {
                                               std::generic_category().message(errno));
 }
 
+std::string identity_of(const fs::path& file) {
+    std::error_code ignored;
+    std::string name = fs::weakly_canonical(fs::absolute(file), ignored).string();
+    if (name.empty()) name = file.lexically_normal().string();
+    for (char& c : name)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return name;
+}
+
 double depth_scale_of(const ConeCommandOptions& options) {
     if (options.size_metres) return *options.depth_metres / *options.size_metres;
     return options.depth_uv.value_or(ReliefMapInfo().depth_scale);

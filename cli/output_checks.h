@@ -3,6 +3,7 @@
 
 #include "cli/cone/cone_options.h"
 
+#include <filesystem>
 #include <string>
 
 namespace reliefbake {
@@ -18,6 +19,9 @@ Result<void> validate_not_input(const std::string& input, const std::string& out
 
 /// Before the work, so that none is lost; the writer checks again. Errors: cannot_create.
 Result<void> validate_output_folder(const std::string& output);
+
+/// A name by which two files are told apart, links followed, without regard to the case of its letters.
+std::string identity_of(const std::filesystem::path& file);
 
 /// Depth of the relief in texture widths: --depth / --size, or --depth-uv.
 double depth_scale_of(const ConeCommandOptions& options);

@@ -76,16 +76,6 @@ Result<void> validate_relief(const ConePlan& plan) {
     });
 }
 
-/// A name by which two files are told apart, links followed, without regard to the case of its letters.
-std::string identity_of(const fs::path& file) {
-    std::error_code ignored;
-    std::string name = fs::weakly_canonical(fs::absolute(file), ignored).string();
-    if (name.empty()) name = file.lexically_normal().string();
-    for (char& c : name)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return name;
-}
-
 } // namespace
 
 std::vector<std::vector<fs::path>> files_of(const ConePlan& plan) {
