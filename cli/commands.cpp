@@ -8,6 +8,7 @@
 #include "cli/bench/bench_peer.h"
 #include "cli/bench/bench_quadric.h"
 #include "cli/bench/bench_render.h"
+#include "cli/bench/bench_scene.h"
 #include "cli/bench/bench_shape.h"
 #include "cli/bench/bench_surface.h"
 #include "cli/bench/bench_terrain.h"
@@ -19,6 +20,7 @@
 #include "cli/quadric/bake_quadric.h"
 #include "cli/render/render.h"
 #include "cli/render/shader.h"
+#include "cli/scene/scene_command.h"
 #include "cli/shape/bake_shape.h"
 #include "cli/stress/stress.h"
 #include "cli/tradeoff/tradeoff.h"
@@ -51,11 +53,13 @@ constexpr CommandEntry all_commands[] = {
     {"bench peer", "Write the map that another method bakes, for render and verify", make<BenchPeerCommand>},
     {"bench quadric", "Time the fit of quadrics, and judge it on known surfaces", make<BenchQuadricCommand>},
     {"bench render", "Time the frames of a cone map", make<BenchRenderCommand>},
+    {"bench scene", "Time a scene's maps, and those of baking everything", make<BenchSceneCommand>},
     {"bench surface", "Write a mesh of a known surface, for curved relief", make<BenchSurfaceCommand>},
     {"bench terrain", "Write a large height map, to bake", make<BenchTerrainCommand>},
     {"explain", "Print what a baked map means and how to decode it", make<ExplainCommand>},
     {"merge", "Join the bands of a large map (cone --rows), or the shards of a batch (run), that were baked apart", make<MergeCommand>},
     {"render", "Draw a baked map with the reference shaders", make<RenderCommand>},
+    {"scene", "Bake exactly the maps that a scene's assets need", make<SceneCommand>},
     {"shader", "Print the shader that decodes and marches a baked map", make<ShaderCommand>},
     {"stress", "Report what each encoding keeps at the numerical extremes", make<StressCommand>},
     {"tradeoff", "Measure what techniques, steps, bits and resolutions cost and bring on a map", make<TradeoffCommand>},
