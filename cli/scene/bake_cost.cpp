@@ -6,7 +6,7 @@
 namespace reliefbake {
 namespace {
 
-/// tests/scene_page.sh prints these again.
+/// Estimates; `reliefbake bench scene` prints measured ones beside them.
 constexpr BakeCost costs[] = {{"cones", 500},  {"relaxed cones", 500}, {"cone normals", 500}, {"4 sectors", 1000}, {"8 sectors", 2000}, {"open cones", 500},
                               {"depth and normals", 100}, {"normals", 200}, {"horizons", 500}, {"distances", 300}, {"quadrics", 2000}};
 

@@ -11,7 +11,7 @@ struct BakeCost {
     double nanoseconds;
 };
 
-/// The constants of predictions: means over the bundled example, on the machine that docs/SCENE.md names. Other machines and steeper heights differ.
+/// The constants of predictions: orders of magnitude, not measured yet (`reliefbake bench scene` measures them). Machines and heights differ.
 double nanoseconds_of(const std::string& what);
 
 double predicted_seconds(const SceneMap& map);
