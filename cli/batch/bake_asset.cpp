@@ -44,7 +44,10 @@ nlohmann::json statistics_of(const std::string& text) {
 
 Result<void> bake(const BatchJob& job, const fs::path& out, int threads, std::uint64_t memory, LedgerLine& line) {
     std::vector<std::string> words = command_line(job, out, threads);
-    if (takes_memory(job)) words.insert(words.end(), {"--memory", std::to_string(memory)});
+    // Out of core only what does not fit: the rest was admitted by its prediction, and cone's own, higher estimate must not refuse it.
+    constexpr std::uint64_t any = std::uint64_t(1) << 50;
+    const std::uint64_t ceiling = can_stream(job) && job.predicted.bytes > memory ? memory : any;
+    if (takes_memory(job)) words.insert(words.end(), {"--memory", std::to_string(ceiling)});
     const auto start = std::chrono::steady_clock::now();
     Result<CommandResult> result = run_command(words);
     if (!result) return tl::unexpected(result.error());

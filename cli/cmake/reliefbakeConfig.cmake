@@ -9,7 +9,7 @@ unset(_reliefbake_prefix)
 
 # reliefbake_add_assets(TARGET SOURCES FILE...
 #     [COMMAND cone|acm|cone-normal|cone-stack|shape|bump|quadric]   default cone
-#     [OPTIONS OPTION...]                                             of that command
+#     [OPTIONS OPTION...]          of that command; files by their whole path
 #     [OUTPUT_NAME PATTERN]        default "{stem}_{kind}.exr"; {stem}: of the source, {kind}: the command
 #     [OUTPUT_DIRECTORY DIR]       default ${CMAKE_CURRENT_BINARY_DIR}/TARGET
 #     [OUTPUTS VARIABLE])          set to the files that are baked
