@@ -1,15 +1,18 @@
 #include "cli/batch/batch.h"
 
 #include "cli/batch/available_memory.h"
+#include "cli/batch/batch_report.h"
 #include "cli/batch/batch_state.h"
 #include "cli/batch/exit_codes.h"
 #include "cli/batch/interrupt.h"
 #include "cli/options/thread_option.h"
+#include "cli/output_checks.h"
 #include "cli/report/format_text.h"
 #include "formats/atomic_file.h"
 
 #include <cerrno>
 #include <cstdio>
+#include <span>
 #include <system_error>
 #include <unistd.h>
 
@@ -65,6 +68,8 @@ void BatchCommand::add_to(CLI::App& app) {
     app.add_option("--memory", limits_.memory, "Memory that the files at work may need together, e.g. 8GB (default: 3/4 of what is free)")->transform(CLI::AsSizeValue(false))->type_name("BYTES");
     CLI::Option* json = app.add_flag("--json", json_, "Events, a line of JSON each (cli/schema/batch_event.schema.json), on a terminal too");
     app.add_flag("--quiet", quiet_, "Print nothing unless something is wrong")->excludes(json);
+    if (!sharded_)
+        app.add_option("--report", page_, "Judge every asset shortly when all are baked, and show all on one page: thumbnails, verdicts worst first, failures, times")->type_name("HTML")->excludes("--dry-run");
 }
 
 Result<void> BatchCommand::resolve() {
@@ -105,6 +110,8 @@ Result<void> BatchCommand::run() {
     if (Result<void> resolved = resolve(); !resolved) return resolved;
     Result<BatchPlan> planned = plan();
     if (!planned) return tl::unexpected(planned.error());
+    if (!page_.empty())
+        if (Result<void> apart = check_page(*planned); !apart) return apart;
     if (dry_run_) {
         const Result<LedgerLines> known = known_lines();
         if (!known) return tl::unexpected(known.error());
@@ -177,6 +184,24 @@ Result<void> BatchCommand::bake_left(BatchPlan& plan, BatchSummary summary, Ledg
     return run_assets(work->to_bake, plan.out, limits_, cache_.empty() ? nullptr : &cache, ledger, reporter);
 }
 
+Result<void> BatchCommand::check_page(const BatchPlan& plan) const {
+    if (Result<void> folder = validate_output_folder(page_); !folder) return folder;
+    for (const BatchJob& job : plan.jobs) {
+        std::vector<fs::path> files = job.inputs;
+        for (const std::string& output : job.outputs) files.push_back(plan.out / output);
+        for (const fs::path& file : files)
+            if (identity_of(file) == identity_of(page_)) return fail(ErrorCode::usage, "--report " + page_ + ": is a file of " + job.source + "; name another");
+    }
+    return {};
+}
+
+Result<void> BatchCommand::write_page(const BatchPlan& plan, const BatchSummary& summary) const {
+    const Result<LedgerLines> lines = known_lines();
+    if (!lines) return tl::unexpected(lines.error());
+    const std::string page = report_batch(plan, *lines, summary, limits_.threads);
+    return write_file_atomically(page_, std::as_bytes(std::span(page.data(), page.size())));
+}
+
 Result<void> BatchCommand::bake(BatchPlan& plan) const {
     // Hold the folder; shards hold it together, and each its own part.
     const fs::path whole = state_folder(plan.out);
@@ -204,6 +229,8 @@ Result<void> BatchCommand::bake(BatchPlan& plan) const {
     const Result<BatchSummary> end = reporter.conclude();
     if (!ran) return ran;
     if (!end) return tl::unexpected(end.error());
+    if (!page_.empty())
+        if (Result<void> written = write_page(plan, *end); !written) return written;
     if (end->failures.empty()) return {};
     return fail(partial_failure, format("%zu of %zu assets failed; ", end->failures.size(), end->assets) + summary_file(state()).string() + " names them");
 }

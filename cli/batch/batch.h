@@ -35,6 +35,8 @@ class BatchCommand : public Command {
     Result<void> bake_left(BatchPlan& plan, BatchSummary summary, Ledger& ledger, BatchReporter& reporter) const;
     Result<Work> find_work(const BatchPlan& plan, const LedgerLines& known, Ledger& ledger) const;
     BatchSummary beginning(const BatchPlan& plan) const;
+    Result<void> check_page(const BatchPlan& plan) const;
+    Result<void> write_page(const BatchPlan& plan, const BatchSummary& summary) const;
     /// What this run keeps for the next one.
     std::filesystem::path state() const;
 
@@ -43,7 +45,7 @@ class BatchCommand : public Command {
     int shards_ = 0;
     Shard shard_;
     BatchSources given_;
-    std::string cache_;
+    std::string cache_, page_;
     RunLimits limits_{0, 0, 0, false};
     bool keep_going_ = false, dry_run_ = false, retry_failed_ = false, json_ = false, quiet_ = false;
     ReportTo report_;
