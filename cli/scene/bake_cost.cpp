@@ -6,9 +6,9 @@
 namespace reliefbake {
 namespace {
 
-/// Estimates; `reliefbake bench scene` prints measured ones beside them.
-constexpr BakeCost costs[] = {{"cones", 500},  {"relaxed cones", 500}, {"cone normals", 500}, {"4 sectors", 1000}, {"8 sectors", 2000}, {"open cones", 500},
-                              {"depth and normals", 100}, {"normals", 200}, {"horizons", 500}, {"distances", 300}, {"quadrics", 2000}};
+/// As `reliefbake bench scene` measured them on the example scene (docs/SCENE.md), on one thread.
+constexpr BakeCost costs[] = {{"cones", 870},  {"relaxed cones", 1130}, {"cone normals", 930}, {"4 sectors", 1850}, {"8 sectors", 4470}, {"open cones", 380},
+                              {"depth and normals", 480}, {"normals", 400}, {"horizons", 1290}, {"distances", 1330}, {"quadrics", 17200}};
 
 } // namespace
 

@@ -11,7 +11,7 @@ struct BakeCost {
     double nanoseconds;
 };
 
-/// The constants of predictions: orders of magnitude, not measured yet (`reliefbake bench scene` measures them). Machines and heights differ.
+/// The constants of predictions, measured once (`reliefbake bench scene` measures them anew). Machines, sizes and heights differ.
 double nanoseconds_of(const std::string& what);
 
 double predicted_seconds(const SceneMap& map);
