@@ -21,7 +21,7 @@ while (($#)); do
 done
 
 # noise SIDE > FILE.pgm: white noise, which compresses worst.
-noise() { printf 'P5\n%d %d\n255\n' "$1" "$1" && openssl enc -aes-128-ctr -nosalt -pass pass:x -pbkdf2 </dev/zero 2>/dev/null | head -c $(($1 * $1)); }
+noise() { printf 'P5\n%d %d\n255\n' "$1" "$1" && { openssl enc -aes-128-ctr -nosalt -pass pass:x -pbkdf2 </dev/zero 2>/dev/null || true; } | head -c $(($1 * $1)); }
 # smooth SIDE > FILE.pgm: rows of one slope; a bake of it takes as much memory and little time.
 smooth() { printf 'P5\n%d %d\n255\n' "$1" "$1" && head -c "$1" /dev/zero | tr '\0' '\200' >"$scratch/row" && for ((y = 0; y < $1; ++y)); do cat "$scratch/row"; done; }
 
