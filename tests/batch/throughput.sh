@@ -29,7 +29,7 @@ seconds_of() {
     difference "$(now)" "$begin"
 }
 batch() { rm -rf "$scratch/out" && "$tool" batch "$scratch/src" --out "$scratch/out" --quiet "$@"; }
-apart() { for file in "$scratch"/src/*; do "$tool" cone "$file" -o "$scratch/one.png" --threads 1 --quiet; done; }
+apart() { for file in "$scratch"/src/*; do "$tool" cone "$file" -o "$scratch/one.png" --threads 1 --quiet 2>/dev/null; done; }
 
 cores=$(nproc)
 one=$(seconds_of batch --jobs 1 --threads 1)
