@@ -49,7 +49,7 @@ Result<void> validate_output_folder(const std::string& output) {
 std::string identity_of(const fs::path& file) {
     std::error_code ignored;
     std::string name = fs::weakly_canonical(fs::absolute(file), ignored).string();
-    if (name.empty()) name = file.lexically_normal().string();
+    if (name.empty()) name = fs::absolute(file).lexically_normal().string();
     for (char& c : name)
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     return name;

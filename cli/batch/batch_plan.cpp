@@ -3,6 +3,7 @@
 #include "cli/batch/glob.h"
 #include "cli/batch/predict.h"
 #include "cli/batch/run_command.h"
+#include "cli/output_checks.h"
 #include "formats/mesh_file.h"
 
 #include <algorithm>
@@ -20,9 +21,6 @@ fs::path resolved(const fs::path& path) {
     if (name.empty()) name = fs::absolute(path).lexically_normal();
     return name;
 }
-
-/// The name of a file on a disk that does not tell capitals from small letters.
-std::string identity_of(const fs::path& path) { return lower(resolved(path).string()); }
 
 bool is_below(const fs::path& path, const fs::path& folder) {
     const fs::path relative = path.lexically_relative(folder);
