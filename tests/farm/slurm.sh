@@ -64,7 +64,7 @@ for ((wait = 0; wait < 30; ++wait)); do [[ $(sinfo -h -t idle -o %D 2>/dev/null)
 
 cd "$scratch"
 ln -s "$(realpath "$data")" data
-shards=4
+shards=6
 started=$SECONDS
 "$tool" plan data --out farm --name '{stem}_{from}_{kind}' --emit slurm --shards $shards -o bake.sbatch
 job=$(sbatch --parsable --output="$scratch/log/task-%a" bake.sbatch)
