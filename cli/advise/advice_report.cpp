@@ -25,15 +25,19 @@ std::string surface_text(const StoredSurface& surface) {
     return (is_unorm(surface.bits) ? bits + " bits" : bits) + (surface.level > 0 ? " at 1/" + std::to_string(1 << surface.level) : " at full size");
 }
 
-std::string faults_text(const Measurement& figures, const Budget& budget) {
+Margin margin_of(const AdviceReport& report, std::size_t trial) { return report.advice.measured[trial].proven ? Margin::sure : Margin::none; }
+
+std::vector<Fault> faults_of(const AdviceReport& report, std::size_t trial) { return faults_of(report.advice.trials[trial].figures, report.budget, margin_of(report, trial)); }
+
+std::string faults_text(const AdviceReport& report, std::size_t trial) {
     std::string text;
-    for (const Fault& fault : faults_of(figures, budget)) text += (text.empty() ? "" : ", ") + text_of(fault);
+    for (const Fault& fault : faults_of(report, trial)) text += (text.empty() ? "" : ", ") + text_of(fault);
     return text;
 }
 
-json faults_json(const Measurement& figures, const Budget& budget) {
+json faults_json(const AdviceReport& report, std::size_t trial) {
     json faults = json::array();
-    for (const Fault& fault : faults_of(figures, budget)) faults.push_back(text_of(fault));
+    for (const Fault& fault : faults_of(report, trial)) faults.push_back(text_of(fault));
     return faults;
 }
 
@@ -56,7 +60,7 @@ std::optional<std::size_t> best_of(const AdviceReport& report, const Method& met
     for (std::size_t k = 0; k < report.advice.trials.size(); ++k) {
         const Advice::Measured& measured = report.advice.measured[k];
         if (measured.method != &method) continue;
-        const auto rank = [&](std::size_t place) { return excess_of(report.advice.trials[place].figures, report.budget); };
+        const auto rank = [&](std::size_t place) { return excess_of(report.advice.trials[place].figures, report.budget, margin_of(report, place)); };
         const bool farther = best && (measured.proven == report.advice.measured[*best].proven ? rank(k) >= rank(*best) : !measured.proven);
         if (!farther) best = k;
     }
@@ -94,7 +98,7 @@ std::string why_not(const AdviceReport& report, const Method& method) {
     std::vector<std::string> reasons = left_out(report, method);
     if (const std::optional<std::size_t> best = best_of(report, method)) {
         const Trial& trial = report.advice.trials[*best];
-        const std::string faults = faults_text(trial.figures, report.budget), where = report.advice.measured[*best].proven ? "" : ", screened";
+        const std::string faults = faults_text(report, *best), where = report.advice.measured[*best].proven ? "" : ", screened";
         if (faults.empty() && !is_given_up(report, surface_of(trial.candidate))) return "meets it" + where + ", dearer: " + cost_text(trial.figures);
         reasons.insert(reasons.begin(), (faults.empty() ? "meets it" : faults) + where + ": " + id_of(trial.candidate));
     }
@@ -147,7 +151,7 @@ json advice_json(const AdviceReport& report) {
     for (std::size_t k = 0; k < report.advice.trials.size(); ++k) {
         const Trial& trial = report.advice.trials[k];
         trials.push_back({{"method", report.advice.measured[k].method->word}, {"stage", report.advice.measured[k].proven ? "proof" : "screen"}, {"candidate", to_json(trial.candidate)},
-                          {"figures", to_json(trial.figures)}, {"faults", faults_json(trial.figures, report.budget)}});
+                          {"figures", to_json(trial.figures)}, {"faults", faults_json(report, k)}});
     }
     json surfaces = json::array();
     for (const Advice::Probed& probed : report.advice.surfaces)
@@ -171,7 +175,7 @@ std::string nearest_text(const AdviceReport& report) {
         return report.input + format(": the budget of %.3g bytes a texel cannot be met; the nearest is %.3g, ", report.budget.bytes_per_texel, least.bytes_per_texel) + id_of(least.marches.front().map);
     }
     const Trial& trial = report.advice.trials[*report.advice.choice.nearest];
-    return report.input + ": the budget cannot be met by any of " + std::to_string(report.advice.trials.size()) + " measurements; the nearest is " + id_of(trial.candidate) + ": " + faults_text(trial.figures, report.budget);
+    return report.input + ": the budget cannot be met by any of " + std::to_string(report.advice.trials.size()) + " measurements; the nearest is " + id_of(trial.candidate) + ": " + faults_text(report, *report.advice.choice.nearest);
 }
 
 std::string advice_text(const AdviceReport& report) {

@@ -49,7 +49,7 @@ class Search {
         for (std::size_t k = 0; k < advice_.trials.size(); ++k)
             if (!advice_.measured[k].proven && !was_proven(advice_.trials[k].candidate)) rest.push_back(k);
         std::stable_sort(rest.begin(), rest.end(), [&](std::size_t a, std::size_t b) {
-            return excess_of(advice_.trials[a].figures, budget_) < excess_of(advice_.trials[b].figures, budget_);
+            return excess_of(advice_.trials[a].figures, budget_, Margin::none) < excess_of(advice_.trials[b].figures, budget_, Margin::none);
         });
         for (std::size_t k = 0; k < std::min(rest.size(), last_chances); ++k)
             if (Result<void> tried = prove(rest[k]); !tried) return tried;
@@ -81,7 +81,7 @@ class Search {
         if (!figures) return tl::unexpected(figures.error());
         Measurement lost = *figures; // neither its bytes nor its steps are those of the ways
         lost.bytes_per_texel = lost.steps_max = 0;
-        const bool given_up = excess_of(lost, budget_) > surface_slack;
+        const bool given_up = excess_of(lost, budget_, Margin::none) > surface_slack;
         advice_.surfaces.push_back({surface, proven, *figures, given_up});
         return !given_up;
     }
@@ -91,7 +91,7 @@ class Search {
         for (const Candidate& candidate : way.marches) {
             const Result<std::size_t> measured = measure(candidate, way.method, false);
             if (!measured) return tl::unexpected(measured.error());
-            if (excess_of(advice_.trials[*measured].figures, budget_) > screen_slack) break;
+            if (excess_of(advice_.trials[*measured].figures, budget_, Margin::none) > screen_slack) break;
             near.push_back(*measured);
         }
         return {};

@@ -46,7 +46,7 @@ constexpr double surface_slack = 2;
 /// screen and before the first proof: what the surface loses no technique brings back. Of each way the longest march is screened first,
 /// and shorter ones as long as the last is near the budget; those near it are proven in order of cost. Ends when two ways are proven
 /// to meet the budget. Where none is, the three nearest are proven, too, before it says so.
-/// Guarantee: the answer meets the budget by figures of `prove`. Deterministic. Errors: those of the measurers.
+/// Guarantee: the answer meets the budget by figures of `prove` and their margin. Deterministic. Errors: those of the measurers.
 Result<Advice> search_advice(const std::vector<Way>& ways, const Budget& budget, const Measurers& measurers);
 
 } // namespace reliefbake

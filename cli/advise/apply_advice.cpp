@@ -21,7 +21,7 @@ Result<ConeCommandOptions> options_of(const ConeCommandOptions& source, const st
 
 /// All figures that do not depend on the clock.
 bool same_figures(const Measurement& a, const Measurement& b) {
-    return a.rays == b.rays && a.missed == b.missed && a.early == b.early && a.out_of_steps == b.out_of_steps && a.error_mean == b.error_mean && a.error_p99 == b.error_p99 &&
+    return a.rays == b.rays && a.missed == b.missed && a.early == b.early && a.out_of_steps == b.out_of_steps && a.error_mean == b.error_mean && a.error_deviation == b.error_deviation && a.error_p99 == b.error_p99 &&
            a.error_max == b.error_max && a.mse == b.mse && a.dissimilarity == b.dissimilarity && a.steps_mean == b.steps_mean && a.steps_max == b.steps_max && a.fetches_mean == b.fetches_mean;
 }
 

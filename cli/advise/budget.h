@@ -20,19 +20,26 @@ struct Budget {
 struct Fault {
     enum class Limit { rays, missed, error, steps, bytes };
     Limit limit;
-    double found, allowed; ///< rays: how many there were, and one
-    double excess;         ///< found / allowed; of missed rays as if two were allowed at least
+    double found, sure, allowed; ///< sure: found, and its margin of sampling; rays: how many there were, and one
+    double excess;               ///< sure / allowed; of missed rays as if two were allowed at least
 };
 
-/// All limits that the figures break; a figure that is no number breaks its limit, and figures of no ray prove nothing.
-std::vector<Fault> faults_of(const Measurement& figures, const Budget& budget);
+/// By how many standard deviations of their sampling the share missed and the mean error must stay within their limits.
+enum class Margin {
+    none, ///< as found: of a look that is not the last word
+    sure, ///< 3.3: then another measurement by as many rays stays within, too, with 99 % (2.33 for each of the two, whose variances add)
+};
 
-inline bool meets(const Measurement& figures, const Budget& budget) { return faults_of(figures, budget).empty(); }
+/// All limits that the figures break; a figure that is no number breaks its limit, and figures of no ray prove nothing. Where no ray is
+/// missed there is no margin: no number of rays would show a share of exactly 0.
+std::vector<Fault> faults_of(const Measurement& figures, const Budget& budget, Margin margin);
+
+inline bool meets(const Measurement& figures, const Budget& budget) { return faults_of(figures, budget, Margin::sure).empty(); }
 
 /// Largest excess of a fault, at least 1.
-double excess_of(const Measurement& figures, const Budget& budget);
+double excess_of(const Measurement& figures, const Budget& budget, Margin margin);
 
-/// E.g. "missed 3.1 % > 1 %".
+/// E.g. "missed 3.1 % > 1 %", or "missed 0.98 % (1.1 % by other rays) > 1 %".
 std::string text_of(const Fault& fault);
 
 } // namespace reliefbake

@@ -36,7 +36,7 @@ Choice choose(std::span<const Trial> trials, const Budget& budget) {
     }
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < trials.size(); ++k) {
-        const double excess = excess_of(trials[k].figures, budget);
+        const double excess = excess_of(trials[k].figures, budget, Margin::sure);
         if (excess < least) choice.nearest.reset(), least = excess;
         if (excess == least) keep_cheaper(choice.nearest, k);
     }

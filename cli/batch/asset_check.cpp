@@ -1,8 +1,10 @@
 #include "cli/batch/asset_check.h"
 
+#include "formats/bump_file.h"
 #include "formats/map_file.h"
 #include "formats/shape_file.h"
 #include "formats/write_image.h"
+#include "shaders-reference/measure/check_bump.h"
 #include "shaders-reference/measure/verify_shape.h"
 
 #include <algorithm>
@@ -51,9 +53,10 @@ std::string thumbnail_of(const RgbImage& picture, const std::string& name) {
     return encode_png(small.width, small.height, 3, small.rgb, name).value_or("");
 }
 
-RgbImage grey(const Image<float>& plane) {
-    RgbImage picture{plane.width(), plane.height(), {}};
-    for (const float value : plane) picture.rgb.insert(picture.rgb.end(), 3, std::uint8_t(std::lround(255 * std::clamp(double(value), 0.0, 1.0))));
+RgbImage coloured(const Image<float>& red, const Image<float>& green, const Image<float>& blue) {
+    RgbImage picture{red.width(), red.height(), {}};
+    const auto byte = [](float value) { return std::uint8_t(std::lround(255 * std::clamp(double(value), 0.0, 1.0))); };
+    for (std::size_t k = 0; k < red.size(); ++k) picture.rgb.insert(picture.rgb.end(), {byte(red[k]), byte(green[k]), byte(blue[k])});
     return picture;
 }
 
@@ -89,14 +92,30 @@ AssetCheck AssetChecker::check_shape(const std::filesystem::path& file) const {
     options.rays = rays, options.points = points, options.threads = threads_;
     const Result<ShapeVerifyReport> report = verify_shape(*map, options);
     AssetCheck check = report ? AssetCheck{to_string(report->verdict), severity_of(report->verdict), {}, {}, ""} : not_judged(report.error().message);
-    check.thumbnail = thumbnail_of(grey(map->distance), file.string());
+    check.thumbnail = thumbnail_of(coloured(map->distance, map->distance, map->distance), file.string());
+    return check;
+}
+
+AssetCheck AssetChecker::check_bump(const std::filesystem::path& file) const {
+    const Result<BumpMap> map = read_bump_map(file);
+    if (!map) return not_judged(map.error().message);
+    AssetCheck check = not_judged("it holds horizons alone; `reliefbake verify --relief` judges it beside its cone map");
+    if (!map->depth.empty()) {
+        BumpCheckOptions options;
+        options.rays = rays, options.points = points, options.threads = threads_;
+        const Result<BumpReport> report = verify_bump(*map, options);
+        if (!report) return not_judged(report.error().message);
+        check = report->violations == 0 ? AssetCheck{"holds", severity_of(Verdict::safe), {}, {}, ""} : AssetCheck{"violated", severity_of(Verdict::unsafe), {}, {}, ""};
+    }
+    check.thumbnail = thumbnail_of(coloured(map->planes[0], map->planes[1], map->planes.size() > 2 ? map->planes[2] : map->depth), file.string());
     return check;
 }
 
 AssetCheck AssetChecker::check(const std::filesystem::path& out, const LedgerLine& line) {
     const std::filesystem::path file = out / line.id;
     if (line.kind == "shape") return check_shape(file);
-    if (line.kind == "bump" || line.kind == "quadric") return not_judged("`reliefbake verify` judges maps of kind " + line.kind + " at length");
+    if (line.kind == "bump") return check_bump(file);
+    if (line.kind == "quadric") return not_judged("`reliefbake verify --mesh` judges a relief map on it");
     return check_cones(file);
 }
 

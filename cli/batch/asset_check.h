@@ -22,13 +22,14 @@ class AssetChecker {
   public:
     explicit AssetChecker(int threads) : threads_(threads) {}
 
-    /// Cone maps by some 7000 rays and 2000 points, shape maps likewise; other kinds are not judged, which is said. Never fails: what cannot
-    /// be read or drawn is a verdict too.
+    /// Cone maps by some 7000 rays and 2000 points, shape maps likewise, bump maps by all values and 2000 horizons; quadrics are not judged,
+    /// which is said. Never fails: what cannot be read or drawn is a verdict too.
     AssetCheck check(const std::filesystem::path& out, const LedgerLine& line);
 
   private:
     AssetCheck check_cones(const std::filesystem::path& file);
     AssetCheck check_shape(const std::filesystem::path& file) const;
+    AssetCheck check_bump(const std::filesystem::path& file) const;
 
     int threads_;
     std::optional<ReliefRenderer> renderer_;

@@ -55,7 +55,7 @@ std::string batch_html(const BatchSummary& summary, std::vector<ReportedAsset> a
     std::vector<std::vector<std::string>> rows;
     for (const ReportedAsset& asset : assets) rows.push_back(asset_row(asset));
     return html_page("Batch", "<h1>Batch</h1>\n" + summary_markup(summary) + failure_table(summary) +
-                                  "<h2>Assets, worst first</h2>\n<p>Judged by some 7000 rays from 45 and 70 degrees and 2000 points each: missed rays went through relief; early ones stopped before it, for want of steps at the most. Seconds: times threads, of the bake.</p>\n" +
+                                  "<h2>Assets, worst first</h2>\n<p>Judged by some 7000 rays from 45 and 70 degrees and 2000 points each, bump maps by their values: missed rays went through relief; early ones stopped before it, for want of steps at the most. Seconds: times threads, of the bake.</p>\n" +
                                   html_table({"asset", "", "kind", "verdict", "missed", "early", "bake, s", "statistics", "warnings"}, rows));
 }
 

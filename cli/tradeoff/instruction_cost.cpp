@@ -13,6 +13,7 @@ constexpr InstructionCount counts[] = {
     {"relaxed", 205, 33, 16, 184},
     {"cone sectors4", 196, 35, 0, 193},
     {"cone sectors8", 219, 37, 0, 193},
+    {"cone stacked3", 187, 108, 0, 193},
     {"max-mip", 187, 71, 0, 204},
     {"cone exact", 187, 48, 0, 173},
     {"cone cell", 187, 65, 0, 187},

@@ -42,12 +42,12 @@ double percentile_99(std::vector<float>& errors) {
 
 struct Judge::Sums {
     std::uint64_t rays = 0, missed = 0, early = 0, out_of_steps = 0;
-    double error = 0, mse = 0, steps = 0, steps_max = 0, fetches = 0;
+    double error = 0, error_squares = 0, mse = 0, steps = 0, steps_max = 0, fetches = 0;
     std::vector<float> errors;
 
     void add(const Sums& other) {
         rays += other.rays, missed += other.missed, early += other.early, out_of_steps += other.out_of_steps;
-        error += other.error, mse += other.mse, steps += other.steps, fetches += other.fetches;
+        error += other.error, error_squares += other.error_squares, mse += other.mse, steps += other.steps, fetches += other.fetches;
         steps_max = std::max(steps_max, other.steps_max);
         errors.insert(errors.end(), other.errors.begin(), other.errors.end());
     }
@@ -132,7 +132,7 @@ void Judge::judge_view(const ViewTruth& view, const Rendering& rendering, Sums& 
             const double error = missed || early ? off : std::min(off, options_.missed_depth);
             const double gap = (1 - t) - surface_.height(ray[0] + t * ray[2], ray[1] + t * ray[3]);
             ++sum.rays, sum.missed += missed, sum.early += early, sum.out_of_steps += status == RayStatus::out_of_steps;
-            sum.error += error, sum.errors.push_back(float(error)), sum.mse += gap * gap;
+            sum.error += error, sum.error_squares += error * error, sum.errors.push_back(float(error)), sum.mse += gap * gap;
             sum.steps += rendering.counts[pixel][0], sum.steps_max = std::max<double>(sum.steps_max, rendering.counts[pixel][0]);
             sum.fetches += rendering.counts[pixel][1];
         }
@@ -170,6 +170,7 @@ Result<Measurement> Judge::measure(const March& march) {
     result.missed = double(sums.missed) / rays, result.early = double(sums.early) / rays;
     result.out_of_steps = double(sums.out_of_steps) / rays;
     result.error_mean = sums.error / rays, result.mse = sums.mse / rays;
+    result.error_deviation = std::sqrt(std::max(sums.error_squares / rays - result.error_mean * result.error_mean, 0.0));
     result.error_max = *std::max_element(sums.errors.begin(), sums.errors.end());
     result.error_p99 = percentile_99(sums.errors);
     result.steps_mean = sums.steps / rays, result.steps_max = sums.steps_max;

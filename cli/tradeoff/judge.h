@@ -41,6 +41,7 @@ struct Measurement {
     /// A ray's error: how much lower or higher it ends than its true first hit; of a ray neither missed nor early at most missed_depth,
     /// since it ends that near to the surface, whichever of two peaks in one line it took.
     double error_mean = 0, error_p99 = 0, error_max = 0;
+    double error_deviation = 0; ///< standard deviation of a ray's error: error_mean is known to error_deviation / sqrt(rays)
     double mse = 0;          ///< mean squared height of the hit above or below the surface at the hit's uv (001 sec. 4.1)
     double dissimilarity = 0; ///< 1 - structural similarity to the oracle's pictures, mean of the views: the perceptual measure
     double steps_mean = 0, steps_max = 0, fetches_mean = 0;

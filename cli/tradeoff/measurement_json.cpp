@@ -13,6 +13,7 @@ constexpr MeasurementField fields[] = {
     {"early", &Measurement::early},
     {"out_of_steps", &Measurement::out_of_steps},
     {"error_mean", &Measurement::error_mean},
+    {"error_deviation", &Measurement::error_deviation},
     {"error_p99", &Measurement::error_p99},
     {"error_max", &Measurement::error_max},
     {"mse", &Measurement::mse},

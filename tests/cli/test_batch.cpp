@@ -370,7 +370,9 @@ TEST_CASE("--report shows every asset and failure on one page, the worst first")
     for (const char* name : {"a_height.pgm", "b_height.pgm"}) write_height(src / name, 3, 64);
     write_text(src / "broken.png", "no picture");
     write_height(src / "s_mask.pgm", 5);
-    write_text(work_folder() / "r.toml", "[[rule]]\nfiles = ['b_*']\n[[rule.bake]]\nkind = 'cone'\noptions = ['--surface', 'texel', '--wrap', 'repeat']\noutput = '{stem}.png'\n"
+    write_height(src / "n_bump.pgm", 6);
+    write_text(work_folder() / "r.toml", "[[rule]]\nfiles = ['n_*']\n[[rule.bake]]\nkind = 'bump'\noutput = '{stem}.png'\n"
+                                         "[[rule]]\nfiles = ['b_*']\n[[rule.bake]]\nkind = 'cone'\noptions = ['--surface', 'texel', '--wrap', 'repeat']\noutput = '{stem}.png'\n"
                                          "[[rule]]\nfiles = ['*_mask.*']\n[[rule.bake]]\nkind = 'shape'\noutput = '{stem}.png'\n"
                                          "[[rule]]\nfiles = ['*']\n[[rule.bake]]\nkind = 'cone'\noutput = '{stem}.png'\n");
     const BatchRun run = batch("src --out out --recipe r.toml --report page.html");
@@ -378,18 +380,20 @@ TEST_CASE("--report shows every asset and failure on one page, the worst first")
     REQUIRE(run.status == 3);
     const std::string page = bytes_of(work_folder() / "page.html");
     CHECK(std::system(("xmllint --nonet --noout '" + (work_folder() / "page.html").string() + "'").c_str()) == 0);
-    CHECK(page.find("3 baked") != std::string::npos);
+    CHECK(page.find("4 baked") != std::string::npos);
     CHECK(page.find("<td>broken.png</td>") != std::string::npos);
     const std::string assets = page.substr(page.find("worst first"));
     const std::size_t a = assets.find("<td>a_height.png</td>"), b = assets.find("<td>b_height.png</td>"), s = assets.find("<td>s_mask.png</td>");
     REQUIRE((a != assets.npos && b != assets.npos && s != assets.npos));
     CHECK(b < a); // cones of texel centres let rays pass between them
     CHECK(assets.find("not_conservative", b) < a);
+    CHECK(assets.find("<td>holds</td>", assets.find("<td>n_bump.png</td>")) < assets.npos);
+    CHECK(assets.find("not judged") == assets.npos);
     std::size_t thumbnails = 0;
     for (std::size_t at = 0; (at = assets.find("data:image/png;base64,", at)) != assets.npos; ++at) ++thumbnails;
-    CHECK(thumbnails == 3);
+    CHECK(thumbnails == 4);
     // Nothing is baked again for a page, and it may not replace a file of the batch.
-    CHECK(batch("src --out out --recipe r.toml --report page.html").summary["unchanged"] == 3);
+    CHECK(batch("src --out out --recipe r.toml --report page.html").summary["unchanged"] == 4);
     CHECK(run_tool("batch src --out out --recipe r.toml --report out/a_height.png").status == 2);
     CHECK(run_tool("batch src --out out --recipe r.toml --report src/a_height.pgm").status == 2);
     CHECK(run_tool("batch src --out out --recipe r.toml --report none/page.html").status == 73);

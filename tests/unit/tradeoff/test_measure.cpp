@@ -135,6 +135,7 @@ TEST_CASE("figures depend neither on threads nor on the order of candidates") {
         CAPTURE(id_of(candidates[k]));
         CHECK(a.missed == b.missed);
         CHECK(a.error_mean == b.error_mean);
+        CHECK(a.error_deviation == b.error_deviation);
         CHECK(a.error_p99 == b.error_p99);
         CHECK(a.mse == b.mse);
         CHECK(a.fetches_mean == b.fetches_mean);
