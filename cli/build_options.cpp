@@ -5,7 +5,6 @@
 #include "formats/atomic_file.h"
 #include "formats/mesh_file.h"
 
-#include <span>
 
 namespace reliefbake {
 
@@ -34,7 +33,7 @@ Result<void> BuildOptions::end(const PlannedCommand& command) const {
     for (const std::filesystem::path& beside : mesh_buffer_files(files->inputs.front())) files->inputs.push_back(beside);
     const Result<std::string> text = depfile_text({target.empty() ? files->outputs.front().string() : target}, files->inputs);
     if (!text) return tl::unexpected(text.error());
-    return write_file_atomically(depfile, std::as_bytes(std::span(text->data(), text->size())));
+    return write_file_atomically(depfile, *text);
 }
 
 std::vector<std::string> with_long_options(int argc, char** argv) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace reliefbake {
@@ -16,6 +17,7 @@ namespace reliefbake {
 /// Errors: cannot_create (no such directory, no permission, not a regular file), write_failed (disk full, ...).
 /// Only SIGKILL and a power cut leave a temporary behind: .reliefbake-PID-N.tmp, safe to delete.
 Result<void> write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+inline Result<void> write_file_atomically(const std::filesystem::path& path, std::string_view text) { return write_file_atomically(path, std::as_bytes(std::span(text))); }
 
 /// Files that appear together: each lies complete in a temporary beside its final name until all are published. Without that,
 /// nothing has changed and the temporaries are gone.

@@ -7,7 +7,6 @@
 #include <sys/stat.h>
 
 #include <cerrno>
-#include <span>
 #include <system_error>
 
 namespace reliefbake {
@@ -91,7 +90,7 @@ Result<void> Journal::append(const std::string& line) {
 Result<void> Journal::replace(const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + '\n';
-    if (Result<void> written = write_file_atomically(path_, std::as_bytes(std::span(text))); !written) return written;
+    if (Result<void> written = write_file_atomically(path_, text); !written) return written;
     UniqueFd fd(::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
     if (!fd) return fail(ErrorCode::cannot_create, path_.string() + ": cannot open: " + reason());
     fd_ = std::move(fd);

@@ -25,7 +25,7 @@ Result<std::string> encode_png(int width, int height, int channels, std::span<co
 Result<void> write_png(const std::filesystem::path& path, int width, int height, int channels, std::span<const std::uint8_t> samples) {
     const Result<std::string> file = encode_png(width, height, channels, samples, path.string());
     if (!file) return tl::unexpected(file.error());
-    return write_file_atomically(path, std::as_bytes(std::span(file->data(), file->size())));
+    return write_file_atomically(path, *file);
 }
 
 } // namespace reliefbake

@@ -33,7 +33,7 @@ Result<void> write(const fs::path& path, const std::string& bytes) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) return fail(ErrorCode::cannot_create, path.parent_path().string() + ": cannot create the folder: " + error.message());
-    return write_file_atomically(path, std::as_bytes(std::span(bytes)));
+    return write_file_atomically(path, bytes);
 }
 
 struct CachedFile {

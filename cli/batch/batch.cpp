@@ -12,7 +12,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <span>
 #include <system_error>
 #include <unistd.h>
 
@@ -199,7 +198,7 @@ Result<void> BatchCommand::write_page(const BatchPlan& plan, const BatchSummary&
     const Result<LedgerLines> lines = known_lines();
     if (!lines) return tl::unexpected(lines.error());
     const std::string page = report_batch(plan, *lines, summary, limits_.threads);
-    return write_file_atomically(page_, std::as_bytes(std::span(page.data(), page.size())));
+    return write_file_atomically(page_, page);
 }
 
 Result<void> BatchCommand::bake(BatchPlan& plan) const {

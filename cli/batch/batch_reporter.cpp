@@ -4,7 +4,6 @@
 #include "formats/atomic_file.h"
 
 #include <cstdio>
-#include <span>
 
 namespace reliefbake {
 
@@ -94,7 +93,7 @@ Result<void> BatchReporter::tell() {
     }
     if (to_.text) std::fputs(summary_text(summary_).c_str(), stdout);
     const std::string text = summary.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-    return write_file_atomically(summary_file_, std::as_bytes(std::span(text)));
+    return write_file_atomically(summary_file_, text);
 }
 
 Result<BatchSummary> BatchReporter::conclude() {

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 
 namespace reliefbake {
 
@@ -87,7 +86,7 @@ Result<BatchSummary> merge_shards(const fs::path& out) {
         if (Result<void> recorded = ledger->record(line); !recorded) return tl::unexpected(recorded.error());
     for (const fs::path& file : remove_abandoned_temporaries(out)) sum.notes.push_back("removed " + file.string() + ", left by a run that was killed");
     const std::string text = to_json(sum).dump(2) + "\n";
-    if (Result<void> written = write_file_atomically(summary_file(state), std::as_bytes(std::span(text.data(), text.size()))); !written) return tl::unexpected(written.error());
+    if (Result<void> written = write_file_atomically(summary_file(state), text); !written) return tl::unexpected(written.error());
     fs::remove_all(state / "shards", error);
     return sum;
 }

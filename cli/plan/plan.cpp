@@ -6,7 +6,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <span>
 
 namespace reliefbake {
 
@@ -61,7 +60,7 @@ Result<void> PlanCommand::run() {
     if (Result<void> checked = check_options(); !checked) return checked;
     const Result<std::string> text = this->text();
     if (!text) return tl::unexpected(text.error());
-    if (!file_.empty()) return write_file_atomically(file_, std::as_bytes(std::span(text->data(), text->size())));
+    if (!file_.empty()) return write_file_atomically(file_, *text);
     std::fputs(text->c_str(), stdout);
     return {};
 }

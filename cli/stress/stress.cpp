@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
-#include <span>
 
 namespace reliefbake {
 namespace {
@@ -73,7 +72,7 @@ Result<std::vector<StressResult>> StressCommand::run_field(const StressField& fi
 
 Result<void> StressCommand::write(const nlohmann::json& report, const std::vector<Usefulness>& measured) const {
     const auto write_text = [&](const char* name, const std::string& text) {
-        return write_file_atomically(std::filesystem::path(folder_) / name, std::as_bytes(std::span(text.data(), text.size())));
+        return write_file_atomically(std::filesystem::path(folder_) / name, text);
     };
     return write_text("kept.svg", kept_svg(measured)).and_then([&] { return write_text("dead.svg", dead_svg(measured)); }).and_then([&] {
         return write_text("stress.json", report.dump(1) + "\n");

@@ -61,7 +61,7 @@ std::vector<float> require_tolerances(const std::string& given) {
 }
 
 Result<void> write_text(const fs::path& path, const std::string& text) {
-    return write_file_atomically(path, std::as_bytes(std::span(text.data(), text.size())));
+    return write_file_atomically(path, text);
 }
 
 Result<void> make_folder(const fs::path& folder) {

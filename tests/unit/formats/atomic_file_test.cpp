@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 Result<void> write_text(const fs::path& path, const std::string& text) {
-    return write_file_atomically(path, std::as_bytes(std::span(text)));
+    return write_file_atomically(path, text);
 }
 } // namespace
 
