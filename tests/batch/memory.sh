@@ -4,7 +4,7 @@
 #
 #   tests/batch/memory.sh [--large] [-o FILE.md]
 #
-#   --large  a map of 16384 x 16384, too (16 GB of memory, minutes)
+#   --large  maps of 16384 x 16384, too, one of them out of core (16 GB of memory, minutes)
 #
 #   RELIEFBAKE_BINARY   as for tests/verify_all.sh
 set -euo pipefail
@@ -72,6 +72,9 @@ if [[ $large ]]; then
     rm "$scratch"/src/*
     smooth 16384 >"$scratch/src/large.pgm"
     measure 'cone, 16 bits, 16384 x 16384' 'kind = "cone"'
+    rm "$scratch"/src/*
+    "$tool" bench terrain -o "$scratch/src/terrain.tif" --width 16384 --height 16384
+    measure 'cone, half EXR, 16384 x 16384, --memory 2000MB' $'kind = "cone"\noptions = ["--bits", "half"]\noutput = "{stem}.exr"' --memory 2000MB
 fi
 
 put memory "$page" <<END
