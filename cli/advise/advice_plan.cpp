@@ -53,6 +53,12 @@ Candidate probe_of(const StoredSurface& surface) {
     return probe;
 }
 
+bool misses_none(const Candidate& candidate) {
+    const ConeOptions& cone = candidate.map.cone;
+    const bool promised = cone.family == ConeFamily::conservative || (cone.family == ConeFamily::relaxed && cone.rays == RelaxedRays::strict);
+    return candidate.map.level == 0 && (candidate.map.has_cones() ? promised : candidate.march.technique == Technique::max_mip);
+}
+
 std::vector<int> march_lengths(int steps) {
     std::vector<int> lengths{steps};
     for (const int rounds : {64, 32, 16, 8, 4})
@@ -72,7 +78,7 @@ AdvicePlan plan_advice(int width, int height, const Budget& budget, ShaderTarget
                 candidate.map.bits = bits, candidate.map.level = level;
                 if (candidate.map.encoding != ConeEncoding::normal) candidate.map.encoding = bits == BitDepth::unorm8 ? ConeEncoding::sqrt : ConeEncoding::ratio;
                 sixteen = candidate, sixteen.map.bits = BitDepth::unorm16;
-                if (!method.by_default || !allowed(candidate)) continue;
+                if (!method.by_default || !allowed(candidate) || (budget.max_missed == 0 && !misses_none(candidate))) continue;
                 if (bits == BitDepth::half && allowed(sixteen)) continue; // as many bytes, and coarser
                 if (bits == BitDepth::float32 && level > 0) continue;     // what a coarser map loses is more than its codes
                 Way way{&method, source_bytes_per_texel(candidate, width, height), marches_of(candidate, budget.steps)};

@@ -36,6 +36,10 @@ inline StoredSurface surface_of(const Candidate& candidate) { return {candidate.
 /// An exact march over the surface, long enough to arrive: what the surface alone loses.
 Candidate probe_of(const StoredSurface& surface);
 
+/// Whether no ray is missed by what is promised, and not by measurement alone: its cones are conservative or strictly relaxed (guarantees C
+/// and R of docs/SAFETY.md) or it marches over the pyramid, at full resolution, where codes are off by 1/510 at most.
+bool misses_none(const Candidate& candidate);
+
 struct AdvicePlan {
     std::vector<Way> ways;      ///< by bytes; of equal ones those of a surface together, then as all_methods()
     std::vector<Way> too_large; ///< likewise: those over the budget's bytes
@@ -49,7 +53,7 @@ std::vector<int> march_lengths(int steps);
 
 /// All methods of a sweep by default x 8, 16 bits (halfs where there can be no 16 bits) x resolutions 1, 1/2, 1/4, and floats at full resolution; the tolerance is the bake's default.
 /// At 8 bits cones are stored as sqrt, deeper as ratios (docs/STRESS.md, docs/TRADEOFF.md). Techniques that refine spend a third of
-/// the rounds on it, at most 8. `width`, `height`: of the source, in texels. `can_hold`: what the output allows.
+/// the rounds on it, at most 8. A budget that allows no missed ray is tried with what misses_none alone. `width`, `height`: of the source, in texels. `can_hold`: what the output allows.
 AdvicePlan plan_advice(int width, int height, const Budget& budget, ShaderTarget target, const std::function<bool(const Representation&)>& can_hold);
 
 } // namespace reliefbake

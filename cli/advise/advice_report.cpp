@@ -104,6 +104,7 @@ std::string why_not(const AdviceReport& report, const Method& method) {
     }
     std::string text;
     for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+    if (report.budget.max_missed == 0 && !misses_none(method.base)) return "left out: nothing promises that it misses no ray";
     return text.empty() ? "left out: the steps, the target or the output do not allow it" : text;
 }
 

@@ -31,7 +31,7 @@ double require_angle(std::string given) {
 
 void AdviseCommand::add_budget(CLI::App& app) {
     app.option_defaults()->group("Budget");
-    add_number(app, "--max-missed", budget_.max_missed, fraction_number, "Share of rays that may be missed, 0 to 1: may go on beyond their first hit by more than 1/256 of the depth")->required();
+    add_number(app, "--max-missed", budget_.max_missed, fraction_number, "Share of rays that may be missed, 0 to 1: may go on beyond their first hit by more than 1/256 of the depth; 0: only what is promised to miss none is tried")->required();
     add_number(app, "--max-error", budget_.max_error, error_limit, "Mean height between the end of a ray and its exact hit, parts of the depth")->required();
     app.add_option("--steps", budget_.steps, "Most rounds of any ray, those that refine included (default 128)")->check(CLI::Range(1, 100000));
     add_number(app, "--bytes-per-texel", budget_.bytes_per_texel, positive_number, "Most bytes of all channels, for a texel of the source (default: any)");

@@ -119,7 +119,7 @@ TEST_CASE("a loosened budget is never dearer, and a budget that cannot be met sa
     }
     CHECK(bytes > 0);
 
-    const Outcome none = run("advise field.pgm --max-missed 0 --max-error 0.000001 --steps 4 --bytes-per-texel 3 --json --apply -o none.png" + few_rays);
+    const Outcome none = run("advise field.pgm --max-missed 0 --max-error 0.000001 --steps 4 --bytes-per-texel 4 --json --apply -o none.png" + few_rays);
     CHECK(none.status == 5);
     CHECK(std::count(none.err.begin(), none.err.end(), '\n') == 1);
     CHECK(none.err.find("field.pgm: the budget cannot be met") != std::string::npos);
@@ -129,7 +129,7 @@ TEST_CASE("a loosened budget is never dearer, and a budget that cannot be met sa
     CHECK(none.err.find(result["nearest"]["id"].get<std::string>()) != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(work_folder() / "none.png"));
 
-    const Outcome bytes_alone = run("advise field.pgm --max-missed 0 --max-error 0.01 --bytes-per-texel 0.1");
+    const Outcome bytes_alone = run("advise field.pgm --max-missed 0.01 --max-error 0.01 --bytes-per-texel 0.1");
     CHECK(bytes_alone.status == 5);
     CHECK(bytes_alone.err.find("the nearest is 0.188") != std::string::npos);
 }

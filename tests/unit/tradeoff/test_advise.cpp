@@ -257,7 +257,7 @@ TEST_CASE("an error of the measurers ends the search") {
 }
 
 TEST_CASE("a plan holds what the budget, the target and the output allow, by bytes") {
-    const Budget budget = budget_of(0, 0.01, 30, 8);
+    const Budget budget = budget_of(0.01, 0.01, 30, 8);
     for (const ShaderTarget target : {ShaderTarget::glsl, ShaderTarget::glsl_es, ShaderTarget::hlsl}) {
         std::set<std::string> ids, methods;
         std::set<BitDepth> bits;
@@ -278,13 +278,22 @@ TEST_CASE("a plan holds what the budget, the target and the output allow, by byt
         CHECK(methods.count("sectors-8") == 1); // at 1/2
         CHECK(bits == (target == ShaderTarget::glsl_es ? std::set{BitDepth::unorm8, BitDepth::half} : std::set{BitDepth::unorm8, BitDepth::unorm16}));
     }
-    const AdvicePlan least = plan_of(budget_of(0, 0.01, 30, 0.1));
+    const AdvicePlan least = plan_of(budget_of(0.01, 0.01, 30, 0.1));
     CHECK(least.ways.empty());
     CHECK(least.too_large.front().bytes_per_texel == 3.0 / 16);
     CHECK(plan_advice(256, 256, budget, ShaderTarget::glsl, [](const Representation& map) { return map.bits == BitDepth::half; }).ways.size() > 10);
     CHECK(plan_advice(1, 1, budget, ShaderTarget::glsl, anything).ways.front().marches.front().map.level == 0);
     CHECK(march_lengths(30) == std::vector{30, 16, 8, 4});
     CHECK(march_lengths(2) == std::vector{2});
+}
+
+TEST_CASE("where no ray may be missed, only what promises that is tried") {
+    std::set<std::string> methods;
+    for (const Way& way : plan_of(budget_of(0, 0.01)).ways) {
+        methods.insert(std::string(way.method->word));
+        CHECK(way.marches.front().map.level == 0);
+    }
+    CHECK(methods == std::set<std::string>{"cone", "relaxed", "sectors-4", "sectors-8", "cone-normal", "stacked", "max-mip", "exact-finish"});
 }
 
 TEST_CASE("commands say what is baked") {
