@@ -53,7 +53,8 @@ std::vector<int> march_lengths(int steps);
 
 /// All methods of a sweep by default x 8, 16 bits (halfs where there can be no 16 bits) x resolutions 1, 1/2, 1/4, and floats at full resolution; the tolerance is the bake's default.
 /// At 8 bits cones are stored as sqrt, deeper as ratios (docs/STRESS.md, docs/TRADEOFF.md). Techniques that refine spend a third of
-/// the rounds on it, at most 8. A budget that allows no missed ray is tried with what misses_none alone. `width`, `height`: of the source, in texels. `can_hold`: what the output allows.
+/// the rounds on it, at most 8. A budget that allows no missed ray is tried with what misses_none alone. `width`, `height`: of the source, in
+/// texels. `can_hold`: what the output allows.
 AdvicePlan plan_advice(int width, int height, const Budget& budget, ShaderTarget target, const std::function<bool(const Representation&)>& can_hold);
 
 } // namespace reliefbake

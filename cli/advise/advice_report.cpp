@@ -95,6 +95,7 @@ bool is_given_up(const AdviceReport& report, const StoredSurface& surface) {
 
 /// Why a method is neither the answer nor the runner-up.
 std::string why_not(const AdviceReport& report, const Method& method) {
+    if (report.budget.max_missed == 0 && !misses_none(method.base)) return "left out: nothing promises that it misses no ray";
     std::vector<std::string> reasons = left_out(report, method);
     if (const std::optional<std::size_t> best = best_of(report, method)) {
         const Trial& trial = report.advice.trials[*best];
@@ -104,7 +105,6 @@ std::string why_not(const AdviceReport& report, const Method& method) {
     }
     std::string text;
     for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
-    if (report.budget.max_missed == 0 && !misses_none(method.base)) return "left out: nothing promises that it misses no ray";
     return text.empty() ? "left out: the steps, the target or the output do not allow it" : text;
 }
 

@@ -28,7 +28,8 @@ struct Choice {
     std::optional<std::size_t> nearest;   ///< where none meets it: least excess, of equal ones the cheapest
 };
 
-/// All by figures and their margin (Margin::sure). Depends on the set of trials alone, not on their order. The answer breaks no limit; a looser budget never makes it dearer.
+/// All by figures and their margin (Margin::sure). Depends on the set of trials alone, not on their order. The answer breaks no limit; a
+/// looser budget never makes it dearer.
 Choice choose(std::span<const Trial> trials, const Budget& budget);
 
 } // namespace reliefbake
