@@ -1,5 +1,7 @@
 #include "cli/advise/advice_plan.h"
 
+#include "cli/cone/cone_info.h"
+
 #include <algorithm>
 
 namespace reliefbake {
@@ -54,9 +56,10 @@ Candidate probe_of(const StoredSurface& surface) {
 }
 
 bool misses_none(const Candidate& candidate) {
-    const ConeOptions& cone = candidate.map.cone;
-    const bool promised = cone.family == ConeFamily::conservative || (cone.family == ConeFamily::relaxed && cone.rays == RelaxedRays::strict);
-    return candidate.map.level == 0 && (candidate.map.has_cones() ? promised : candidate.march.technique == Technique::max_mip);
+    if (candidate.map.level > 0) return false;
+    if (!candidate.map.has_cones()) return candidate.march.technique == Technique::max_mip;
+    const std::string guarantee = guarantee_of(candidate.map.cone);
+    return guarantee == "C" || (guarantee == "R" && technique_info(candidate.march.technique).refines);
 }
 
 std::vector<int> march_lengths(int steps) {

@@ -36,8 +36,8 @@ inline StoredSurface surface_of(const Candidate& candidate) { return {candidate.
 /// An exact march over the surface, long enough to arrive: what the surface alone loses.
 Candidate probe_of(const StoredSurface& surface);
 
-/// Whether no ray is missed by what is promised, and not by measurement alone: its cones are conservative or strictly relaxed (guarantees C
-/// and R of docs/SAFETY.md) or it marches over the pyramid, at full resolution, where codes are off by 1/510 at most.
+/// Whether no ray is missed by what is promised, and not by measurement alone: its cones have guarantee C, or R under a
+/// march that refines (docs/FAMILIES.md), or it marches over the pyramid; at full resolution, where codes are off by 1/510 at most.
 bool misses_none(const Candidate& candidate);
 
 struct AdvicePlan {

@@ -36,13 +36,12 @@ void add_statistics(const std::vector<ConeMap>& cones, const std::vector<Encoded
     statistics["ratio_min"] = shortest_decimal(least), statistics["ratio_mean"] = sum / texels, statistics["zero_codes"] = zero_codes;
 }
 
-/// C: no surface in a cone. R: a step from outside ends with one crossing behind it at most. Others promise nothing.
+} // namespace
+
 std::string guarantee_of(const ConeOptions& options) {
     if (options.family == ConeFamily::conservative) return std::string(1, 'C'); // GCC 12 warns about plain literals (bug 105651)
     return options.rays == RelaxedRays::strict ? std::string(1, 'R') : std::string();
 }
-
-} // namespace
 
 double sum_of_row(const Image<float>& plane, int y) { return std::accumulate(plane.row(y), plane.row(y) + plane.width(), 0.0); }
 

@@ -8,6 +8,9 @@
 
 namespace reliefbake {
 
+/// C: no surface in a cone. R: a step from outside ends with one crossing behind it at most. Others promise nothing.
+std::string guarantee_of(const ConeOptions& options);
+
 /// Sum of a row, from left to right: what means are made of, row by row, however a map is baked.
 double sum_of_row(const Image<float>& plane, int y);
 
