@@ -5,7 +5,6 @@
 #include "formats/atomic_file.h"
 #include "formats/mesh_file.h"
 
-
 namespace reliefbake {
 
 void BuildOptions::add_to(CLI::App& app) {

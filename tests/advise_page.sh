@@ -49,12 +49,12 @@ ask() {
     jq -e --argjson code $code '(.met == ($code == 0)) and (.met | not) or (.trials[.answer.trial] | .stage == "proof" and .faults == []) and
         (. as $a | .trials[.answer.trial].figures | .missed <= $a.budget.max_missed and .error_mean <= $a.budget.max_error and .steps_max <= $a.budget.steps and
             .bytes_per_texel <= $a.budget.bytes_per_texel)' "$scratch/answer" >/dev/null || { echo "$this: $file, $name: the answer breaks its budget" >&2 && exit 1; }
-    mv "$scratch/answer" "$answer"
+    mv "$scratch/answer" "$answer" && rm -f "$answer.again"
 }
 
 # The answer's figures by other rays, of a sweep of one candidate.
 again() {
-    local file=$1 answer=$2 axes code
+    local file=$1 answer=$2 axes
     [[ ! -s $answer.again ]] || return 0
     axes=$(jq -r '.answer as $chosen | .trials[$chosen.trial].candidate | "--techniques \($chosen.method) --steps \(.steps) --bits \(.bits) --resolutions \(.resolution)"
         + (if .refinements == null then "" else " --refinements \(.refinements)" end) + (if .encoding == null or .encoding == "normal" then "" else " --encodings \(.encoding)" end)' "$answer")

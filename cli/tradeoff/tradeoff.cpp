@@ -60,10 +60,6 @@ std::vector<float> require_tolerances(const std::string& given) {
     return tolerances;
 }
 
-Result<void> write_text(const fs::path& path, const std::string& text) {
-    return write_file_atomically(path, text);
-}
-
 Result<void> make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
@@ -207,12 +203,12 @@ Result<void> TradeoffCommand::write(const std::vector<TradeoffSection>& sections
     const nlohmann::json json = tradeoff_json(sections, judge_, depth_scale);
     const std::string page = tradeoff_html(sections, judge_, depth_scale, pictures_of);
     if (!unread.message.empty()) return tl::unexpected(unread);
-    Result<void> written = write_text(folder / "tradeoff.csv", tradeoff_csv(sections))
-                               .and_then([&] { return write_text(folder / "tradeoff.json", json.dump(1) + "\n"); })
-                               .and_then([&] { return write_text(folder / "tradeoff.html", page); });
+    Result<void> written = write_file_atomically(folder / "tradeoff.csv", tradeoff_csv(sections))
+                               .and_then([&] { return write_file_atomically(folder / "tradeoff.json", json.dump(1) + "\n"); })
+                               .and_then([&] { return write_file_atomically(folder / "tradeoff.html", page); });
     for (const TradeoffSection& section : sections)
         for (const TradeoffCost& cost : tradeoff_costs())
-            if (written && cost.plotted) written = write_text(folder / (section.name + "-" + cost.word + ".svg"), tradeoff_svg(section, cost));
+            if (written && cost.plotted) written = write_file_atomically(folder / (section.name + "-" + cost.word + ".svg"), tradeoff_svg(section, cost));
     if (written && json_) std::puts(json.dump(1).c_str());
     return written;
 }
